@@ -1,0 +1,61 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "tagmint/codec/codeword.h"
+#include "tagmint/codec/layout.h"
+
+namespace tagmint::codec {
+
+/// How plain patterns, which nature likes to imitate, are kept out of a family.
+enum class ComplexityRule {
+  None,        ///< every word will do
+  Rectangles,  ///< a greedy painter must need at least `threshold` rectangles (the classic
+               ///< families)
+  Energy,  ///< the rendered tag must have at least threshold * 2 * cells colour changes (AprilTag
+           ///< 3)
+};
+
+/// A complexity rule and its threshold. Text form: "rectangles:10", "energy:0.3333", "none".
+struct Complexity {
+  ComplexityRule rule = ComplexityRule::None;
+  double threshold = 0.0;
+  friend bool operator==(const Complexity&, const Complexity&) = default;
+};
+
+/// Parses the text form. Throws std::invalid_argument with a suggestion for a misspelt rule.
+Complexity parse_complexity(std::string_view text);
+std::string to_string(const Complexity& complexity);
+
+/// Number of rectangles that a greedy painter needs to draw the data cells of `word`
+/// (generation.md, "The lexicode and its published order"): each time the rectangle and colour that
+/// lower the number of wrong cells most, the first one on ties. The grid is the bounding box of the
+/// data cells seen as the published generator visited it, that is turned by 180 degrees against the
+/// printed tag; cells that are not data never count as wrong. Not rotation invariant.
+///   word     in the layout's codeword order
+///   cost     O(rectangles * side^4) cell look-ups; use it last
+int count_rectangles(const Layout& layout, Codeword word);
+
+/// Number of colour changes between 4-neighbours over the whole rendered tag, border included,
+/// absent cells left out. Rotation invariant. Cost: O(width^2).
+int count_colour_changes(const Layout& layout, Codeword word);
+
+/// Judges many words of one layout by one rule: tables are made once. Copyable, safe to share
+/// between threads.
+class ComplexityJudge {
+ public:
+  ComplexityJudge(const Layout& layout, const Complexity& complexity);
+  /// Whether `word`, in codeword order, is complex enough.
+  bool accepts(Codeword word) const;
+  /// The figure that the rule compares with its threshold: rectangles, or colour changes / (2 *
+  /// cells); 0 for None.
+  double measure(Codeword word) const;
+
+ private:
+  Layout layout_;
+  Complexity complexity_;
+  int cells_ = 0;  // cells that exist
+};
+
+}  // namespace tagmint::codec

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "tagmint/codec/codeword.h"
+#include "tagmint/codec/family.h"
+
+namespace tagmint::codec {
+
+/// What an observed word was recognised as.
+struct Match {
+  TagId id = 0;
+  int hamming = 0;  ///< bit errors between the observed word and the codeword
+  int rotation =
+      0;  ///< quarter turns (rotate_quarter) that take the observed word to the codeword, 0..3
+  friend bool operator==(const Match&, const Match&) = default;
+};
+
+/// How a decoder looks words up. All give the same answers.
+enum class DecoderEngine {
+  Auto,        ///< the fastest one whose tables fit in kMaxTableBytes
+  BruteForce,  ///< compare with every codeword: the reference, no tables
+  Hash,  ///< all words within max_errors (at most 2) of a codeword in a hash table [WangOlson2016,
+         ///< III-E]
+  Chunks,  ///< max_errors + 1 chunks, of which one must be intact: small tables, any radius
+};
+
+struct DecoderOptions {
+  /// Bit errors to correct; nothing = min(2, the family's safe radius).
+  std::optional<int> max_errors;
+  /// Allow max_errors above the safe radius (h - 1) / 2. Then a word equally near to two tags is
+  /// refused.
+  bool allow_unsafe_radius = false;
+  DecoderEngine engine = DecoderEngine::Auto;
+  /// Ids to recognise; empty = all.
+  std::vector<TagId> ids;
+};
+
+/// Codeword -> nearest tag of one family, in any of the four rotations. Constant once made; share
+/// it between threads through std::shared_ptr<const Decoder>.
+class Decoder {
+ public:
+  /// Most memory that DecoderEngine::Auto spends on a hash table.
+  static constexpr std::size_t kMaxTableBytes = std::size_t{64} << 20;
+
+  /// Throws std::invalid_argument when family is null, max_errors is negative, above the safe
+  /// radius without allow_unsafe_radius, or above 2 for the Hash engine, or an id is not in the
+  /// family.
+  explicit Decoder(SharedFamily family, DecoderOptions options = {});
+  ~Decoder();
+  Decoder(Decoder&&) noexcept;
+  Decoder& operator=(Decoder&&) noexcept;
+
+  /// The tag nearest to `observed` over the four rotations, if it is within max_errors() and no
+  /// other tag is as near.
+  ///   observed   layout().bits() low bits, the rest zero
+  ///   cost       Hash: four table look-ups; Chunks: 4 * (max_errors + 1) short lists; BruteForce:
+  ///   4 * ids compares
+  std::optional<Match> decode(Codeword observed) const;
+
+  const SharedFamily& family() const { return family_; }
+  int max_errors() const { return max_errors_; }
+  /// The engine in use, never Auto.
+  DecoderEngine engine() const { return engine_; }
+  /// Bytes of the look-up tables.
+  std::size_t table_bytes() const;
+
+  /// Answers for one orientation only; implemented by the engines in src/.
+  class Lookup;
+
+ private:
+  SharedFamily family_;
+  int max_errors_ = 0;
+  DecoderEngine engine_ = DecoderEngine::Auto;
+  std::unique_ptr<const Lookup> lookup_;
+};
+
+}  // namespace tagmint::codec

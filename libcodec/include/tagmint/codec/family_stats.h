@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "tagmint/codec/family.h"
+
+namespace tagmint::codec {
+
+/// What the codes of a family say about it, whatever the family declares.
+struct FamilyStats {
+  /// distance_histogram[d] = number of pairs of different tags whose smallest distance over the
+  /// rotations is d; bits + 1 entries.
+  std::vector<std::uint64_t> distance_histogram;
+  /// self_histogram[d] = number of tags whose self_distance() is d; bits + 1 entries.
+  std::vector<std::uint64_t> self_histogram;
+  /// Smallest distance between two tags (or a tag and its own turns): the family's true distance.
+  int min_hamming = 0;
+  /// false_accept_rate[r] = share of all words that lie within r bits of some turn of some tag, an
+  /// upper bound counted as 4 * codes * sum_{i<=r} C(bits, i) / 2^bits and exact while r <=
+  /// (min_hamming - 1) / 2; bits/2 + 1 entries, at most 1.
+  std::vector<double> false_accept_rate;
+};
+
+/// Cost: O(codes^2) word comparisons, shared by `threads` threads (0 = all cores).
+FamilyStats family_stats(const Family& family, int threads = 0);
+
+}  // namespace tagmint::codec

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+#include "tagmint/codec/codeword.h"
+#include "tagmint/codec/complexity.h"
+#include "tagmint/codec/family.h"
+#include "tagmint/codec/layout.h"
+#include "tagmint/codec/search/order.h"
+
+namespace tagmint::codec {
+
+/// Where a running search stands.
+struct SearchProgress {
+  std::uint64_t words_done = 0;
+  double words_total = 0;  ///< 2^bits, or limit_words
+  std::size_t codes = 0;
+  double elapsed_s = 0;
+};
+
+struct LexicodeOptions {
+  Layout layout;
+  int min_hamming = 0;
+  Order order;
+  Complexity complexity;
+  std::optional<std::uint64_t> limit_words;  ///< stop after this many words of the walk
+  std::optional<std::size_t> limit_codes;    ///< stop when this many codes are found
+  std::optional<std::chrono::duration<double>>
+      time_limit;        ///< stop at the end of the round that passes it
+  int threads = 0;       ///< 0 = all cores
+  std::stop_token stop;  ///< asks the search to end early
+  std::function<void(const SearchProgress&)>
+      progress;  ///< called from the calling thread, a few times a second
+};
+
+/// Why a search ended.
+enum class SearchEnd { Complete, LimitWords, LimitCodes, TimeLimit, Stopped };
+
+struct LexicodeResult {
+  std::vector<Codeword> codewords;   ///< in the order found, in codeword order of bits
+  std::uint64_t words_searched = 0;  ///< walk positions 1 .. this were judged (2^64 is given as 0)
+  SearchEnd end = SearchEnd::Complete;
+};
+
+/// The greedy lexicode (generation.md): walk all words in `order`; take a word when its own four
+/// turns are pairwise min_hamming apart, it is min_hamming away from all turns of all words taken,
+/// and it is complex enough. The result depends on layout, distance, order and complexity alone,
+/// never on threads. Throws std::invalid_argument for a distance outside 1..bits.
+///   cost   O(2^bits * codes) word comparisons at worst
+LexicodeResult search_lexicode(const LexicodeOptions& options);
+
+/// The family that a finished search gives; `name` empty = "tag" + layout prefix + bits + "h" +
+/// distance. Throws std::invalid_argument when no code was found.
+Family make_family(const LexicodeOptions& options, const LexicodeResult& result,
+                   std::string name = {});
+
+}  // namespace tagmint::codec

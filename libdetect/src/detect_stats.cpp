@@ -1,0 +1,32 @@
+#include "tagmint/detect/detect_stats.h"
+
+namespace tagmint::detect {
+
+std::string_view name_of(Stage stage) {
+  constexpr std::array<std::string_view, kStages> names = {
+      "preprocess", "threshold",    "segment", "cluster",
+      "fit_quads",  "refine_edges", "decode",  "reconcile"};
+  return names[static_cast<std::size_t>(stage)];
+}
+
+DetectStats& DetectStats::operator+=(const DetectStats& other) {
+  components += other.components;
+  boundary_points += other.boundary_points;
+  clusters += other.clusters;
+  clusters_too_large += other.clusters_too_large;
+  clusters_too_small += other.clusters_too_small;
+  wrong_border_colour += other.wrong_border_colour;
+  no_corners += other.no_corners;
+  bad_fit += other.bad_fit;
+  bad_shape += other.bad_shape;
+  quads += other.quads;
+  no_contrast += other.no_contrast;
+  no_codeword += other.no_codeword;
+  low_margin += other.low_margin;
+  duplicates += other.duplicates;
+  detections += other.detections;
+  for (int i = 0; i < kStages; ++i) stage_ms[i] += other.stage_ms[i];
+  return *this;
+}
+
+}  // namespace tagmint::detect

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "tagmint/detect/geometry.h"
+
+namespace tagmint::detect {
+
+/// Values of the thresholded image.
+inline constexpr std::uint8_t kBlack = 0;
+inline constexpr std::uint8_t kUnknown = 127;
+inline constexpr std::uint8_t kWhite = 255;
+
+/// Component of every working pixel and the size of every component.
+struct Labels {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint32_t> label;  ///< row-major; kNoComponent of DebugSink for unknown pixels
+  std::vector<std::uint32_t> size;   ///< pixels in the component, indexed by label
+};
+
+/// A point half-way between a black and a white pixel that are neighbours [WangOlson2016, Fig. 4].
+struct BoundaryPoint {
+  float x = 0;  ///< working pixels, (0.5, 0.5) is the centre of the first pixel
+  float y = 0;
+  float gx =
+      0;  ///< direction from the black pixel to the white one, one of the eight neighbour steps
+  float gy = 0;
+};
+
+/// Boundary points grouped by the pair of components that they separate.
+struct Clusters {
+  std::vector<BoundaryPoint> points;
+  std::vector<std::size_t>
+      begin;  ///< cluster i is points[begin[i]] .. points[begin[i + 1]]; size count + 1
+
+  std::size_t count() const { return begin.empty() ? 0 : begin.size() - 1; }
+  std::span<const BoundaryPoint> cluster(std::size_t i) const {
+    return std::span(points).subspan(begin[i], begin[i + 1] - begin[i]);
+  }
+};
+
+/// A candidate border square, corners counter-clockwise as seen (y down), like Corners.
+struct Quad {
+  Corners corners;
+  bool reversed_border = false;  ///< white inside black
+};
+
+}  // namespace tagmint::detect

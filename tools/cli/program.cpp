@@ -1,0 +1,7 @@
+#include "cli/program.h"
+
+namespace tagmint::cli {
+
+int run_program(int, const char* const*) { return 0; }
+
+}  // namespace tagmint::cli
