@@ -1,9 +1,11 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "tagmint/detect/debug_sink.h"
 #include "tagmint/detect/geometry.h"
 
 namespace tagmint::detect {
@@ -13,11 +15,14 @@ inline constexpr std::uint8_t kBlack = 0;
 inline constexpr std::uint8_t kUnknown = 127;
 inline constexpr std::uint8_t kWhite = 255;
 
+/// Label of a pixel that belongs to no component.
+inline constexpr std::uint32_t kNoComponent = DebugSink::kNoComponent;
+
 /// Component of every working pixel and the size of every component.
 struct Labels {
   int width = 0;
   int height = 0;
-  std::vector<std::uint32_t> label;  ///< row-major; kNoComponent of DebugSink for unknown pixels
+  std::vector<std::uint32_t> label;  ///< row-major; kNoComponent for unknown pixels
   std::vector<std::uint32_t> size;   ///< pixels in the component, indexed by label
 };
 

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "tagmint/detect/geometry.h"
+
+namespace tagmint::detect {
+
+/// Weighted sums over boundary points: w, w x, w y, w x^2, w x y, w y^2.
+struct LineMoments {
+  double w = 0;
+  double x = 0;
+  double y = 0;
+  double xx = 0;
+  double xy = 0;
+  double yy = 0;
+
+  LineMoments& operator+=(const LineMoments& o);
+  friend LineMoments operator+(LineMoments a, const LineMoments& b) { return a += b; }
+  friend LineMoments operator-(const LineMoments& a, const LineMoments& b);
+};
+
+/// A line through `centroid` with unit `normal`; which of the two normals is not specified.
+struct LineFit {
+  Point centroid;
+  Point normal;
+  double mse = 0;  ///< weighted mean squared distance of the points from the line, px^2
+};
+
+/// Prefix sums: moments[i] is the sum over points 0 .. i.
+///   points, weights   n each, coordinates in px (small numbers about their centre keep the sums
+///                     exact), weights > 0
+///   moments           takes the n sums
+void line_moments(std::span<const Point> points, std::span<const double> weights,
+                  std::vector<LineMoments>& moments);
+
+/// Sum over points i0 .. i1 (both included) of a closed contour, wrapping past the end when i1 <
+/// i0.
+///   moments   from line_moments(); i0 and i1 are indices in [0, n)
+///   cost      O(1)
+LineMoments moments_between(std::span<const LineMoments> moments, int i0, int i1);
+
+/// The line that fits points of the given sums best: principal component of their covariance.
+///   mse      the smaller eigenvalue of the 2x2 covariance
+///   source   [WangOlson2016, section III-D]; normal from the 2x2 eigenproblem, docs/pipeline.md
+LineFit fit_line(const LineMoments& sum);
+
+/// mse of fit_line() alone, which needs no normal.
+double line_fit_mse(const LineMoments& sum);
+
+/// Where the two lines meet; `parallel_sine` is the smallest sine of the angle between them that
+/// still counts as meeting. Sets `meets` false and returns {} when they do not.
+struct Intersection {
+  bool meets = false;
+  Point at;
+};
+Intersection intersect(const LineFit& a, const LineFit& b, double parallel_sine = 1e-6);
+
+}  // namespace tagmint::detect
