@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -24,8 +25,14 @@ struct Complexity {
   friend bool operator==(const Complexity&, const Complexity&) = default;
 };
 
-/// Parses the text form. Throws std::invalid_argument with a suggestion for a misspelt rule.
+/// Parses the text form: "rectangles:" and a whole number of at least 1, "energy:" and a share
+/// between 0 and 1, or "none". Throws std::invalid_argument with a suggestion for a misspelt rule.
 Complexity parse_complexity(std::string_view text);
+
+/// "rectangles", "energy" or "none".
+std::string_view rule_name(ComplexityRule rule);
+
+/// The text form; parse_complexity() turns it back.
 std::string to_string(const Complexity& complexity);
 
 /// Number of rectangles that a greedy painter needs to draw the data cells of `word`
@@ -53,9 +60,10 @@ class ComplexityJudge {
   double measure(Codeword word) const;
 
  private:
-  Layout layout_;
+  struct Tables;
+
   Complexity complexity_;
-  int cells_ = 0;  // cells that exist
+  std::shared_ptr<const Tables> tables_;
 };
 
 }  // namespace tagmint::codec
