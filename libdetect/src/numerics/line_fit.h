@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -49,12 +50,8 @@ LineFit fit_line(const LineMoments& sum);
 /// mse of fit_line() alone, which needs no normal.
 double line_fit_mse(const LineMoments& sum);
 
-/// Where the two lines meet; `parallel_sine` is the smallest sine of the angle between them that
-/// still counts as meeting. Sets `meets` false and returns {} when they do not.
-struct Intersection {
-  bool meets = false;
-  Point at;
-};
-Intersection intersect(const LineFit& a, const LineFit& b, double parallel_sine = 1e-6);
+/// Where the two lines meet; nothing when the sine of the angle between them is below
+/// `parallel_sine`.
+std::optional<Point> intersect(const LineFit& a, const LineFit& b, double parallel_sine = 1e-6);
 
 }  // namespace tagmint::detect

@@ -18,11 +18,13 @@ struct PreprocessOptions {
 
 /// Buffers that preprocess() keeps from one image to the next.
 struct PreprocessScratch {
-  std::vector<float> column_sums;         ///< decimation: one row of column-wise weighted sums
-  std::vector<std::uint8_t> padded_row;   ///< blur: a row with its edge pixels repeated
-  std::vector<std::uint16_t> horizontal;  ///< blur: the image after the horizontal pass, 8.8 bits
-  std::vector<std::uint32_t> weights;     ///< blur: kernel, 16 fractional bits
-  std::vector<std::uint32_t> sums;        ///< blur: one row of vertical sums
+  std::vector<std::uint32_t> whole_sums;  ///< decimation by a whole number: column sums of a row
+  std::vector<float> weighted_sums;       ///< decimation by a fraction: weighted column sums
+  std::vector<std::uint32_t> kernel;      ///< blur: weights, 16 fractional bits, sum 1
+  std::vector<std::uint8_t> padded_row;   ///< blur: a row with its end pixels repeated
+  std::vector<std::uint16_t> horizontal;  ///< blur: image after the horizontal pass, 8.8 bits
+  std::vector<std::uint32_t> sums;        ///< blur: one row of weighted sums
+  Image blurred;                          ///< blur: the result, before it becomes `working`
 };
 
 /// How coordinates of the working image and of the full image belong together. Working pixel (i, j)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -13,6 +14,7 @@ namespace tagmint::detect {
 struct PixelRun {
   std::int32_t begin = 0;
   std::int32_t end = 0;
+  std::uint8_t value = 0;
 };
 
 /// Buffers that segment() keeps from one image to the next.
