@@ -9,7 +9,6 @@
 #include <filesystem>
 #include <memory>
 
-#include "tagmint/codec/atomic_file.h"
 #include "tagmint/codec/errors.h"
 
 namespace tagmint::io {
@@ -45,18 +44,6 @@ std::string read_input(const std::string& path) {
                             "check the name and the permissions");
   }
   return read_all(file.get(), path);
-}
-
-void write_output(const std::string& path, std::string_view content) {
-  if (path != "-") {
-    codec::write_file_atomically(path, content);
-    return;
-  }
-  if (std::fwrite(content.data(), 1, content.size(), stdout) != content.size() ||
-      std::fflush(stdout) != 0) {
-    throw codec::OutputError(fmt::format("cannot be written: {}", std::strerror(errno)),
-                             "standard output", "check what reads from the pipe");
-  }
 }
 
 }  // namespace tagmint::io
