@@ -1,13 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "tagmint/codec/codeword.h"
 #include "tagmint/codec/complexity.h"
 #include "tagmint/codec/layout.h"
+#include "tagmint/codec/search/bit_permutation.h"
 
 namespace tagmint::codec {
 
@@ -23,36 +24,48 @@ struct Order {
   friend bool operator==(const Order&, const Order&) = default;
 };
 
-/// "apriltag2", "apriltag3" or "seed:N". Throws std::invalid_argument with a suggestion.
+/// "apriltag2", "apriltag3" or "seed:N" with a whole 64-bit N. Throws std::invalid_argument with a
+/// suggestion.
 Order parse_order(std::string_view text);
 std::string to_string(const Order& order);
 
 /// Seed of java.util.Random that gives the walk's first word: nbits * 10000 + min_hamming * 100 +
-/// c. In AprilTag2's families c was the rectangle threshold; in AprilTag3's five published ones it
-/// was floor(width^2 / 8).
+/// c. In AprilTag 2's families c was the rectangle threshold (taken as 0 under another rule); in
+/// AprilTag 3's five published ones it was floor(width^2 / 8). Kind::Seed gives its own seed.
 std::int64_t walk_seed(const Order& order, const Layout& layout, int min_hamming,
                        const Complexity& complexity);
 
 /// The walk v_i = v_(i-1) + 982451653 (mod 2^bits), i = 1 .. 2^bits, v_0 = first nextLong() of the
-/// seed (generation.md). Every word comes exactly once, v_0 itself last. Words at positions 1, 2,
-/// ... are given in codeword order, whatever order the walk itself runs in.
+/// seed (docs/lexicodes.md). Every word comes exactly once, v_0 itself last.
+///
+/// The walk runs over *visited* words, whose bits are in reading order for AprilTag2 and in
+/// codeword order otherwise. Distances are the same in both.
 class Walk {
  public:
   Walk(const Layout& layout, const Order& order, std::int64_t seed);
 
   int bits() const { return bits_; }
+
   /// Codeword at position i (any i; taken modulo 2^bits).
-  Codeword at(std::uint64_t i) const;
+  Codeword at(std::uint64_t i) const { return to_codeword(visited(i)); }
   /// Position in 1 .. 2^bits of a codeword (for 64 bits, position 2^64 is returned as 0).
   std::uint64_t position_of(Codeword word) const;
 
- private:
-  Codeword to_codeword(Codeword visited) const;
-  Codeword to_visited(Codeword word) const;
+  /// Word at position i with its bits as the walk has them.
+  Codeword visited(std::uint64_t i) const { return (start_ + i * kStep) & low_mask(bits_); }
+  Codeword to_codeword(Codeword visited) const {
+    return to_codeword_ ? (*to_codeword_)(visited) : visited;
+  }
+  Codeword to_visited(Codeword word) const { return to_visited_ ? (*to_visited_)(word) : word; }
 
+  /// Prime, so odd: its multiples run through all words.
+  static constexpr std::uint64_t kStep = 982451653;
+
+ private:
   int bits_;
   Codeword start_;
-  std::vector<int> visited_bit_;  // of codeword bit i (0 = least significant); empty = the same
+  std::optional<BitPermutation> to_visited_;  // none: the same order
+  std::optional<BitPermutation> to_codeword_;
 };
 
 }  // namespace tagmint::codec
