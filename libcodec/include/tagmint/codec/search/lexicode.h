@@ -26,16 +26,20 @@ struct SearchProgress {
 struct LexicodeOptions {
   Layout layout;
   int min_hamming = 0;
-  Order order;
-  Complexity complexity;
-  std::optional<std::uint64_t> limit_words;  ///< stop after this many words of the walk
-  std::optional<std::size_t> limit_codes;    ///< stop when this many codes are found
-  std::optional<std::chrono::duration<double>>
-      time_limit;        ///< stop at the end of the round that passes it
-  int threads = 0;       ///< 0 = all cores
-  std::stop_token stop;  ///< asks the search to end early
-  std::function<void(const SearchProgress&)>
-      progress;  ///< called from the calling thread, a few times a second
+  Order order = {};
+  Complexity complexity = {};
+  /// Stop after this many words of the walk.
+  std::optional<std::uint64_t> limit_words = std::nullopt;
+  /// Stop when this many codes are found.
+  std::optional<std::size_t> limit_codes = std::nullopt;
+  /// Stop at the end of the round that passes it.
+  std::optional<std::chrono::duration<double>> time_limit = std::nullopt;
+  /// 0 = all cores.
+  int threads = 0;
+  /// Asks the search to end early.
+  std::stop_token stop = {};
+  /// Called from the calling thread, a few times a second.
+  std::function<void(const SearchProgress&)> progress = {};
 };
 
 /// Why a search ended.
