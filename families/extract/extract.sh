@@ -1,0 +1,22 @@
+#!/usr/bin/env bash
+# Writes families/*.json anew from the libapriltag that is installed (Debian: libapriltag-dev 3.3).
+# Usage: families/extract/extract.sh [FOLDER]     FOLDER: where to write; default families/
+# `git diff --exit-code families` afterwards shows whether anything differs.
+set -euo pipefail
+root=$(cd "$(dirname "$0")/../.." && pwd)
+folder=${1:-$root/families}
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+# The family files are part of the library, so what writes them is built from single sources.
+sources=(atomic_file codeword colour_changes complexity errors family family_document family_file
+         family_rules layout layout_presets rectangle_painter sha256 suggest)
+paths=()
+for source in "${sources[@]}"; do paths+=("$root/libcodec/src/$source.cpp"); done
+# The headers of libapriltag include each other without their folder.
+"${CXX:-g++}" -std=c++20 -O1 -I"$root/libcodec/include" -I"$root/libcodec/src" \
+  -isystem /usr/include/apriltag \
+  "$root/families/extract/extract_families.cpp" "${paths[@]}" \
+  -o "$work/extract_families" -lapriltag -lfmt -lcrypto
+mkdir -p "$folder"
+"$work/extract_families" "$folder"

@@ -1,0 +1,124 @@
+#include "tagmint/codec/builtin_families.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "tagmint/codec/errors.h"
+#include "tagmint/codec/family_file.h"
+#include "tagmint/codec/layout_presets.h"
+
+namespace tagmint::codec {
+namespace {
+
+constexpr const char* kCustom48 =
+    "custom:dddddddddd/dbbbbbbbbd/dbwwwwwwbd/dbwddddwbd/dbwdxxdwbd/"
+    "dbwdxxdwbd/dbwddddwbd/dbwwwwwwbd/dbbbbbbbbd/dddddddddd";
+
+/// What was published, with the SHA-256 over the codewords in id order.
+struct Published {
+  const char* name;
+  const char* layout;
+  int min_hamming;
+  std::size_t codes;
+  const char* complexity;
+  const char* seed;
+  const char* digest;
+};
+
+// clang-format off
+const std::vector<Published> kPublished = {
+    {"tag16h5", "classic:8", 5, 30, "rectangles:5", "160505", "45a45497aedac455ec997c3d9696dcb51821fbb6a9a6dec9dfa8aee4408104fe"},
+    {"tag25h9", "classic:9", 9, 35, "rectangles:8", "250908", "dadb26e73ac986565287c3971e449727fd5d20493fc0a048d3162c2e0fd2620e"},
+    {"tag36h11", "classic:10", 11, 587, "rectangles:10", "361110", "0fd3ab87dd37625dbc5044ae25a896224ad0ac6d33a4b1dac35aaa30820d54a5"},
+    {"tag36h10", "classic:10", 10, 2320, "rectangles:10", "361010", "39791000aed069e34b53df9d397573b655080e6391a30759ced3ff3c4a51931c"},
+    {"tagCircle21h7", "circle:9", 7, 38, "energy:0.3333", "210710", "9f8e23cb793255bf29f9253cffc4397c946d8d4e26f307879177f380fd45fabe"},
+    {"tagStandard41h12", "standard:9", 12, 2115, "energy:0.3333", "411210", "7aaf3b82b972b998213e0a276d90f7fb62145fb91644c5f8bbcda064fdcef330"},
+    {"tagCustom48h12", kCustom48, 12, 42211, "energy:0.3333", "481212", "9d3a60a3cef124c9a8736091ffba614cc76cac62efcd2941e0ce0a3d0d39d37d"},
+    {"tagCircle49h12", "circle:11", 12, 65535, "energy:0.3333", "491215", "c78c4e42eee0a55f58fc736aa2ed52c8c4d9d92a28f3870c768da98221ff55be"},
+    {"tagStandard52h13", "standard:10", 13, 48714, "energy:0.3333", "521312", "2a30908ae33cfd4df11ccdc80b4d08177914a629dcabed964f39ce7c7d6952c9"},
+};
+// clang-format on
+
+TEST(BuiltinFamilies, AreThePublishedOnes) {
+  ASSERT_EQ(family_names().size(), kPublished.size());
+  for (std::size_t i = 0; i < kPublished.size(); ++i) {
+    const Published& published = kPublished[i];
+    EXPECT_EQ(family_names()[i], published.name);
+    const SharedFamily family = find_family(published.name);
+    ASSERT_NE(family, nullptr) << published.name;
+    EXPECT_EQ(family->name(), published.name);
+    EXPECT_EQ(layout_name(family->layout()), published.layout);
+    EXPECT_EQ(family->min_hamming(), published.min_hamming);
+    EXPECT_EQ(family->size(), published.codes);
+    EXPECT_EQ(to_string(family->complexity()), published.complexity);
+    EXPECT_EQ(family->origin().seed, published.seed);
+    EXPECT_EQ(family_digest(*family), published.digest) << published.name;
+  }
+}
+
+TEST(BuiltinFamilies, AreTheFilesOfTheFolder) {
+  const std::filesystem::path folder =
+      std::filesystem::path(TAGMINT_TEST_DIR).parent_path() / "families";
+  std::size_t files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() != ".json") continue;
+    ++files;
+    const SharedFamily family = find_family(entry.path().stem().string());
+    ASSERT_NE(family, nullptr) << entry.path() << " is not compiled in";
+  }
+  EXPECT_EQ(files, family_names().size());
+}
+
+TEST(BuiltinFamilies, ObeyTheirComplexityRule) {
+  for (const std::string& name : family_names()) {
+    const SharedFamily family = find_family(name);
+    const ComplexityJudge judge(family->layout(), family->complexity());
+    const std::size_t step = family->size() > 3000 ? 50 : 1;
+    for (std::size_t id = 0; id < family->size(); id += step) {
+      EXPECT_TRUE(judge.accepts(family->codeword(static_cast<TagId>(id)))) << name << " " << id;
+    }
+  }
+}
+
+TEST(BuiltinFamilies, AreParsedOnceAndShared) {
+  std::vector<SharedFamily> seen(8);
+  {
+    std::vector<std::jthread> threads;
+    for (SharedFamily& slot : seen) {
+      threads.emplace_back([&slot] { slot = find_family("tag36h11"); });
+    }
+  }
+  for (const SharedFamily& family : seen) EXPECT_EQ(family, seen.front());
+}
+
+TEST(BuiltinFamilies, UnknownNamesGiveNothing) {
+  EXPECT_EQ(find_family("tag36h12"), nullptr);
+  EXPECT_EQ(find_family("TAG36H11"), nullptr);
+  EXPECT_EQ(find_family(""), nullptr);
+}
+
+TEST(LoadFamily, TakesNamesAndPaths) {
+  EXPECT_EQ(load_family("tag16h5"), find_family("tag16h5"));
+  const std::string path =
+      (std::filesystem::path(TAGMINT_TEST_DIR).parent_path() / "families" / "tag25h9.json")
+          .string();
+  EXPECT_EQ(load_family(path)->name(), "tag25h9");
+}
+
+TEST(LoadFamily, SuggestsTheNearestName) {
+  try {
+    load_family("tag36h1");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(),
+                 "no family 'tag36h1' is bundled and no file has that name; did you mean "
+                 "'tag36h11'? `tagmint families` lists the bundled ones");
+  }
+}
+
+}  // namespace
+}  // namespace tagmint::codec
