@@ -8,15 +8,15 @@
 namespace tagmint::detect {
 
 /// A projective map of the plane, row-major 3 x 3. Maps tag to image unless named otherwise: the
-/// border square is
-/// [-1,1]^2 with y down, the image is in pixels.
+/// border square is [-1,1]^2 with y down, the image is in pixels.
 class Homography {
  public:
   Homography() : h_{1, 0, 0, 0, 1, 0, 0, 0, 1} {}
   explicit Homography(const std::array<double, 9>& row_major) : h_(row_major) {}
 
-  /// The map that takes from[i] to to[i]; nothing when three of the points lie on a line.
-  ///   cost     one 8 x 8 linear system
+  /// The map that takes from[i] to to[i], scaled so that h22 = 1 where the origin has a finite
+  /// image; nothing when three of the points lie on a line.
+  ///   cost     a few 3 x 3 products: both point sets as images of one projective frame
   static std::optional<Homography> from_points(const std::array<Point, 4>& from,
                                                const std::array<Point, 4>& to);
   /// The map that takes kTagCorners to `corners`.
@@ -25,8 +25,8 @@ class Homography {
   /// Image of p. On the line at infinity the result has infinite or NaN coordinates.
   Point project(Point p) const;
   std::optional<Homography> inverse() const;
-  /// The map that turns the tag by `turns` quarter turns first: project(p) = this->project(turned
-  /// p).
+  /// The map that turns the tag plane by `turns` quarter turns first, clockwise as seen:
+  /// rotated(1).project({x, y}) = project({-y, x}). Any integer, taken modulo 4.
   Homography rotated(int turns) const;
 
   const std::array<double, 9>& row_major() const { return h_; }
