@@ -20,6 +20,7 @@ DetectStats& DetectStats::operator+=(const DetectStats& other) {
   bad_fit += other.bad_fit;
   bad_shape += other.bad_shape;
   quads += other.quads;
+  outside_image += other.outside_image;
   no_contrast += other.no_contrast;
   no_codeword += other.no_codeword;
   low_margin += other.low_margin;

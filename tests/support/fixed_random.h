@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
+#include <numbers>
 
 namespace tagmint::testing {
 
@@ -23,6 +25,11 @@ class FixedRandom {
   /// A number in [low, high).
   double real(double low, double high) {
     return low + (high - low) * (static_cast<double>(bits() >> 11) * 0x1p-53);
+  }
+  /// Normal with mean 0 and standard deviation 1: Box and Muller's transform, one of the pair.
+  double normal() {
+    const double radius = std::sqrt(-2 * std::log(1 - real(0, 1)));
+    return radius * std::cos(2 * std::numbers::pi * real(0, 1));
   }
 
  private:

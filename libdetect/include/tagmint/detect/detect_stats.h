@@ -28,15 +28,16 @@ struct DetectStats {
   std::int64_t clusters_too_large = 0;  ///< more points than any quad in the image could have
   std::int64_t clusters_too_small = 0;  ///< bounding box too small or too thin
   std::int64_t wrong_border_colour =
-      0;                         ///< black inside white where no family wants it, or the reverse
-  std::int64_t no_corners = 0;   ///< fewer than four peaks of the line-fit error
-  std::int64_t bad_fit = 0;      ///< no four corners with straight sides
-  std::int64_t bad_shape = 0;    ///< size, angles or winding not those of a tag
-  std::int64_t quads = 0;        ///< candidates that went on to decoding
-  std::int64_t no_contrast = 0;  ///< border not darker (or lighter) than its surroundings
-  std::int64_t no_codeword = 0;  ///< bits too far from every codeword
-  std::int64_t low_margin = 0;   ///< below min_decision_margin
-  std::int64_t duplicates = 0;   ///< same tag twice in one place
+      0;                           ///< black inside white where no family wants it, or the reverse
+  std::int64_t no_corners = 0;     ///< fewer than four peaks of the line-fit error
+  std::int64_t bad_fit = 0;        ///< no four corners with straight sides
+  std::int64_t bad_shape = 0;      ///< size, angles or winding not those of a tag
+  std::int64_t quads = 0;          ///< candidates that went on to decoding
+  std::int64_t outside_image = 0;  ///< data cells, or most of the border ring, not in the picture
+  std::int64_t no_contrast = 0;    ///< border not darker (or lighter) than its surroundings
+  std::int64_t no_codeword = 0;    ///< bits too far from every codeword
+  std::int64_t low_margin = 0;     ///< below min_decision_margin
+  std::int64_t duplicates = 0;     ///< same tag twice in one place
   std::int64_t detections = 0;
   std::array<double, kStages> stage_ms{};  ///< wall time by Stage
 

@@ -1,0 +1,198 @@
+#include "pipeline/s7_decode.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+
+#include "numerics/bilinear.h"
+#include "numerics/gray_model.h"
+
+namespace tagmint::detect {
+namespace {
+
+using codec::Cell;
+using codec::CellPosition;
+using codec::Layout;
+
+/// Share of a ring's cells that must be in the image for its plane to be trusted over the tag.
+constexpr double kMinRingShare = 0.5;
+/// A cell this many pixels wide, or part of it, is worth one more gray value in each direction...
+constexpr double kPixelsPerSample = 2.0;
+/// ...up to this many,
+constexpr int kMaxSamplesPerSide = 3;
+/// spread over this middle part of the cell, away from its blurred edges.
+constexpr double kCellMiddle = 0.5;
+
+/// Where the cells of a layout are in the tag plane, and how to read them.
+class CellReader {
+ public:
+  CellReader(ImageView full, const Homography& tag_to_image, const Layout& layout, double side_px)
+      : full_(full),
+        tag_to_image_(tag_to_image),
+        cell_(2.0 / layout.width_at_border()),
+        origin_(-1.0 - layout.border_offset() * cell_) {
+    const double cell_px = side_px / layout.width_at_border();
+    samples_ = std::clamp(static_cast<int>(cell_px / kPixelsPerSample), 1, kMaxSamplesPerSide);
+  }
+
+  Point centre(CellPosition p) const {
+    return {origin_ + (p.x + 0.5) * cell_, origin_ + (p.y + 0.5) * cell_};
+  }
+
+  /// Mean gray value of the cell's middle; nothing when a part of that is outside the image.
+  std::optional<double> gray(CellPosition p) const {
+    const Point middle = centre(p);
+    double sum = 0;
+    for (int j = 0; j < samples_; ++j) {
+      for (int i = 0; i < samples_; ++i) {
+        const Point at = middle + Point{offset(i), offset(j)};
+        const std::optional<double> value = sample_bilinear(full_, tag_to_image_.project(at));
+        if (!value) return std::nullopt;
+        sum += *value;
+      }
+    }
+    return sum / (samples_ * samples_);
+  }
+
+ private:
+  double offset(int i) const { return ((i + 0.5) / samples_ - 0.5) * kCellMiddle * cell_; }
+
+  ImageView full_;
+  const Homography& tag_to_image_;
+  double cell_;    // side of a cell in the tag plane
+  double origin_;  // left and top edge of the whole tag in the tag plane
+  int samples_;    // a side of the cell
+};
+
+/// The plane through the cells of one ring, counted from the tag's outer edge.
+std::optional<GrayPlane> fit_ring(const CellReader& reader, const Layout& layout, int ring) {
+  const int last = layout.width() - 1 - ring;
+  GrayModel model;
+  const auto add = [&](CellPosition p) {
+    if (const std::optional<double> gray = reader.gray(p)) model.add(reader.centre(p), *gray);
+  };
+  for (int i = ring; i < last; ++i) {
+    add({i, ring});
+    add({last, i});
+    add({last - i + ring, last});
+    add({ring, last - i + ring});
+  }
+  if (model.samples() < kMinRingShare * 4 * (last - ring)) return std::nullopt;
+  return model.fit();
+}
+
+/// Gray level of black and of white over the tag.
+struct TwoColours {
+  GrayPlane black;
+  GrayPlane white;
+
+  double threshold(Point p) const { return (black.at(p) + white.at(p)) / 2; }
+  double contrast(Point p) const { return white.at(p) - black.at(p); }
+};
+
+std::optional<TwoColours> fit_colours(const CellReader& reader, const Layout& layout) {
+  const auto outside = fit_ring(reader, layout, layout.border_offset() - 1);
+  const auto inside = fit_ring(reader, layout, layout.border_offset());
+  if (!outside || !inside) return std::nullopt;
+  return layout.reversed_border() ? TwoColours{*outside, *inside} : TwoColours{*inside, *outside};
+}
+
+/// Fills scratch.excess; false when a data cell is outside the image.
+bool read_cells(const CellReader& reader, const Layout& layout, const TwoColours& colours,
+                DecodeScratch& scratch) {
+  const int width = layout.width();
+  scratch.excess.assign(static_cast<std::size_t>(width) * width, std::nullopt);
+  for (int y = 0; y < width; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const Cell cell = layout.cell(x, y);
+      if (cell == Cell::None) continue;
+      const CellPosition p = {x, y};
+      if (const std::optional<double> gray = reader.gray(p)) {
+        scratch.excess[y * width + x] = *gray - colours.threshold(reader.centre(p));
+      } else if (cell == Cell::Data) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/// The cell's excess, raised against the mean of its neighbours to undo blur across the cell's
+/// edges: v + weight * sum over known neighbours (v - neighbour).
+double sharpened(const std::vector<std::optional<double>>& excess, int width, CellPosition p,
+                 double weight) {
+  constexpr std::array<CellPosition, 4> kSteps = {{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
+  const double value = *excess[p.y * width + p.x];
+  double laplacian = 0;
+  for (const CellPosition step : kSteps) {
+    const int x = p.x + step.x;
+    const int y = p.y + step.y;
+    if (x < 0 || y < 0 || x >= width || y >= width) continue;
+    if (const auto& neighbour = excess[y * width + x]) laplacian += value - *neighbour;
+  }
+  return value + weight * laplacian;
+}
+
+/// The word on the cells and how clearly it was read.
+struct Reading {
+  codec::Codeword word = 0;
+  double decision_margin = 0;
+};
+
+Reading read_word(const Layout& layout, double sharpening, const DecodeScratch& scratch) {
+  Reading reading;
+  double white_sum = 0, black_sum = 0;
+  int whites = 0, blacks = 0;
+  for (const CellPosition p : layout.data_cells()) {
+    const double value = sharpened(scratch.excess, layout.width(), p, sharpening);
+    const bool white = value > 0;
+    reading.word = (reading.word << 1) | static_cast<codec::Codeword>(white);
+    (white ? white_sum : black_sum) += std::abs(value);
+    ++(white ? whites : blacks);
+  }
+  // A colour that does not occur cannot be unclear.
+  const double white_mean = whites > 0 ? white_sum / whites : black_sum / blacks;
+  const double black_mean = blacks > 0 ? black_sum / blacks : white_mean;
+  reading.decision_margin = std::min(white_mean, black_mean);
+  return reading;
+}
+
+/// Corners and homography of the upright tag. Match::rotation counter-clockwise turns make the
+/// picture upright, so upright places come from places turned clockwise in the quad's own frame.
+Detection make_detection(const codec::Decoder& decoder, const codec::Match& match, const Quad& quad,
+                         const Homography& tag_to_image, double decision_margin) {
+  Detection detection;
+  detection.family = decoder.family();
+  detection.id = match.id;
+  detection.hamming = match.hamming;
+  detection.decision_margin = decision_margin;
+  detection.homography = tag_to_image.rotated(match.rotation);
+  for (int i = 0; i < 4; ++i) detection.corners[i] = quad.corners[(i + 3 * match.rotation) % 4];
+  detection.center = detection.homography.project({0, 0});
+  return detection;
+}
+
+}  // namespace
+
+DecodeResult decode_quad(ImageView full, const Quad& quad, const codec::Decoder& decoder,
+                         const DecodeOptions& options, DecodeScratch& scratch) {
+  const Layout& layout = decoder.family()->layout();
+  assert(layout.reversed_border() == quad.reversed_border);
+  const std::optional<Homography> tag_to_image = Homography::from_corners(quad.corners);
+  if (!tag_to_image) return {DecodeOutcome::OutsideImage, {}};
+  const double side_px = std::sqrt(std::abs(signed_area(quad.corners)));
+  const CellReader reader(full, *tag_to_image, layout, side_px);
+  const std::optional<TwoColours> colours = fit_colours(reader, layout);
+  if (!colours) return {DecodeOutcome::OutsideImage, {}};
+  if (!(colours->contrast({0, 0}) > 0)) return {DecodeOutcome::NoContrast, {}};
+  if (!read_cells(reader, layout, *colours, scratch)) return {DecodeOutcome::OutsideImage, {}};
+  const Reading reading = read_word(layout, options.sharpening, scratch);
+  const std::optional<codec::Match> match = decoder.decode(reading.word);
+  if (!match) return {DecodeOutcome::NoCodeword, {}};
+  if (reading.decision_margin < options.min_decision_margin) return {DecodeOutcome::LowMargin, {}};
+  return {DecodeOutcome::Decoded,
+          make_detection(decoder, *match, quad, *tag_to_image, reading.decision_margin)};
+}
+
+}  // namespace tagmint::detect

@@ -1,0 +1,71 @@
+#include "pipeline/s8_reconcile.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "numerics/polygon_overlap.h"
+
+namespace tagmint::detect {
+namespace {
+
+/// Two tags in one plane share no area; what rounding and noise make of tags that touch stays below
+/// this share of the smaller one.
+constexpr double kMaxOverlapShare = 0.01;
+
+bool overlap(const Detection& a, const Detection& b) {
+  const double smaller =
+      std::min(std::abs(signed_area(a.corners)), std::abs(signed_area(b.corners)));
+  return overlap_area(a.corners, b.corners) > kMaxOverlapShare * smaller;
+}
+
+bool same_tag(const Detection& a, const Detection& b) {
+  return a.id == b.id && a.family->name() == b.family->name();
+}
+
+/// Place of a detection as a key that orders any two that differ in it.
+auto place(const Detection& d) {
+  const Corners& c = d.corners;
+  return std::make_tuple(d.center.y, d.center.x, c[0].y, c[0].x, c[1].y, c[1].x, c[2].y, c[2].x,
+                         c[3].y, c[3].x);
+}
+
+/// Tags together, the best reading of each first.
+bool better_first(const Detection& a, const Detection& b) {
+  if (const int order = a.family->name().compare(b.family->name()); order != 0) return order < 0;
+  if (a.id != b.id) return a.id < b.id;
+  if (a.hamming != b.hamming) return a.hamming < b.hamming;
+  if (a.decision_margin != b.decision_margin) return a.decision_margin > b.decision_margin;
+  return place(a) < place(b);
+}
+
+bool output_order(const Detection& a, const Detection& b) {
+  if (const int order = a.family->name().compare(b.family->name()); order != 0) return order < 0;
+  if (a.id != b.id) return a.id < b.id;
+  return place(a) < place(b);
+}
+
+}  // namespace
+
+std::vector<Detection> reconcile(std::vector<Detection> candidates, DetectStats& stats) {
+  std::sort(candidates.begin(), candidates.end(), better_first);
+  std::vector<Detection> kept;
+  kept.reserve(candidates.size());
+  std::size_t group = 0;  // where the kept detections of the current tag begin
+  for (Detection& candidate : candidates) {
+    if (!kept.empty() && !same_tag(kept.back(), candidate)) group = kept.size();
+    const bool duplicate =
+        std::any_of(kept.begin() + static_cast<std::ptrdiff_t>(group), kept.end(),
+                    [&](const Detection& better) { return overlap(better, candidate); });
+    if (duplicate) {
+      ++stats.duplicates;
+    } else {
+      kept.push_back(std::move(candidate));
+    }
+  }
+  std::sort(kept.begin(), kept.end(), output_order);
+  stats.detections += static_cast<std::int64_t>(kept.size());
+  return kept;
+}
+
+}  // namespace tagmint::detect

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+#include "tagmint/detect/detect_stats.h"
+#include "tagmint/detect/detection.h"
+
+namespace tagmint::detect {
+
+/// Stage 8: one detection for each tag. Where detections of the same family and id overlap, the one
+/// with fewer corrected errors stays, then the one with the larger decision margin, then the one
+/// whose centre and corners come first. Nested or neighbouring tags of other ids all stay.
+///   candidates   in any order
+///   returns      sorted by family name, id, then centre (y, x)
+///   stats        duplicates and detections are added to
+///   cost         O(n log n), and a comparison for each pair of the same family and id
+std::vector<Detection> reconcile(std::vector<Detection> candidates, DetectStats& stats);
+
+}  // namespace tagmint::detect
