@@ -59,6 +59,13 @@ CLI::Option* add_choice(CLI::App& app, const std::string& names, std::string& va
   return option;
 }
 
+CLI::Option* add_format(CLI::App& app, std::string& value, std::vector<std::string> formats,
+                        const std::string& fallback) {
+  return add_choice(app, "--format", value, std::move(formats),
+                    "format of the result; else as the extension of FILE says")
+      ->default_str(fallback);
+}
+
 CLI::Option* add_output(CLI::App& app, std::string& target, const std::string& description) {
   return app.add_option("-o,--output", target, description)->type_name("FILE")->default_str("-");
 }
@@ -68,13 +75,29 @@ CLI::Option* add_family(CLI::App& app, std::string& name_or_path) {
       ->required();
 }
 
+void add_max_hamming(CLI::App& app, std::optional<int>& max_hamming, bool& unsafe_radius) {
+  app.add_option("--max-hamming", max_hamming, "correct up to N bit errors")
+      ->type_name("N")
+      ->check(CLI::Range(0, codec::kMaxBits))
+      ->default_str("2 or the safe radius");
+  app.add_flag("--unsafe-radius", unsafe_radius,
+               "allow more errors than the family can surely correct");
+}
+
+void require_safe_radius(const codec::Family& family, std::optional<int> max_hamming,
+                         bool unsafe_radius) {
+  if (unsafe_radius || !max_hamming || *max_hamming <= family.max_safe_errors()) return;
+  throw UsageError(fmt::format("{} bit errors are more than the safe radius {} of {}", *max_hamming,
+                               family.max_safe_errors(), family.name()),
+                   "--max-hamming", "ask for less, or allow wrong answers with --unsafe-radius");
+}
+
 void add_absent_option(CLI::App& app, const std::string& name, const std::string& instead) {
-  app.add_option(name)
-      ->each([name, instead](const std::string&) {
-        throw UsageError(fmt::format("{} is not part of this version", name), "", instead);
-      })
-      ->expected(0, 1)
-      ->group("");
+  // A flag and an option with a value alike: the value is not looked at.
+  const auto refuse = [name, instead](const CLI::results_t&) -> bool {
+    throw UsageError(fmt::format("{} is not part of this version", name), "", instead);
+  };
+  app.add_option(name, CLI::callback_t(refuse))->expected(0, 1)->group("");
 }
 
 std::string choose_format(const std::string& option_value, const std::string& target,

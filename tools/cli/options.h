@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -24,6 +25,11 @@ void add_common_options(CLI::App& app, Common& common);
 CLI::Option* add_choice(CLI::App& app, const std::string& names, std::string& value,
                         std::vector<std::string> words, const std::string& description);
 
+/// Adds `--format` with those words; `value` stays empty unless it is given, so that
+/// choose_format() may look at the output's extension.
+CLI::Option* add_format(CLI::App& app, std::string& value, std::vector<std::string> formats,
+                        const std::string& fallback);
+
 /// Adds `-o,--output FILE` with the default stdout.
 CLI::Option* add_output(CLI::App& app, std::string& target,
                         const std::string& description = "write to FILE, - is stdout");
@@ -31,6 +37,14 @@ CLI::Option* add_output(CLI::App& app, std::string& target,
 /// Adds the required positional FAMILY: a bundled name or a path; read it with
 /// codec::load_family().
 CLI::Option* add_family(CLI::App& app, std::string& name_or_path);
+
+/// Adds --max-hamming and --unsafe-radius.
+void add_max_hamming(CLI::App& app, std::optional<int>& max_hamming, bool& unsafe_radius);
+
+/// Throws UsageError when `max_hamming` is above the family's safe radius (h - 1) / 2 and that was
+/// not asked for with --unsafe-radius.
+void require_safe_radius(const codec::Family& family, std::optional<int> max_hamming,
+                         bool unsafe_radius);
 
 /// Adds an option that is part of the contract but not of this version: it is not listed in the
 /// help, and giving it is a usage error that says so.

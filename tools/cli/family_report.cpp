@@ -1,0 +1,73 @@
+#include "cli/family_report.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tagmint/codec/complexity.h"
+#include "tagmint/codec/family_file.h"
+
+namespace tagmint::cli {
+namespace {
+
+using codec::ComplexityRule;
+using codec::DecoderEngine;
+
+/// Energy is counted in steps of 1 / kEnergySteps.
+constexpr double kEnergySteps = 20.0;
+
+std::map<double, std::size_t> complexity_histogram(const codec::Family& family) {
+  const bool rectangles = family.complexity().rule == ComplexityRule::Rectangles;
+  const codec::Complexity measure = {
+      .rule = rectangles ? ComplexityRule::Rectangles : ComplexityRule::Energy, .threshold = 0.0};
+  const codec::ComplexityJudge judge(family.layout(), measure);
+  std::map<double, std::size_t> histogram;
+  for (const codec::Codeword word : family.codewords()) {
+    const double value = judge.measure(word);
+    ++histogram[rectangles ? value : std::floor(value * kEnergySteps) / kEnergySteps];
+  }
+  return histogram;
+}
+
+std::vector<LookupMemory> lookup_memory(const codec::SharedFamily& family) {
+  std::vector<LookupMemory> all;
+  for (int radius = 0; radius <= family->max_safe_errors(); ++radius) {
+    for (const DecoderEngine engine : {DecoderEngine::Hash, DecoderEngine::Chunks}) {
+      if (engine == DecoderEngine::Hash && radius > 2) continue;
+      codec::DecoderOptions decoding;
+      decoding.max_errors = radius;
+      decoding.engine = engine;
+      all.push_back({engine, radius, codec::Decoder(family, decoding).table_bytes()});
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+FamilyReport make_family_report(codec::SharedFamily family, int threads) {
+  FamilyReport report;
+  report.digest = codec::family_digest(*family);
+  report.stats = codec::family_stats(*family, threads);
+  report.complexity_measure =
+      family->complexity().rule == ComplexityRule::Rectangles ? "rectangles" : "energy";
+  report.complexity_histogram = complexity_histogram(*family);
+  report.lookup = lookup_memory(family);
+  report.family = std::move(family);
+  return report;
+}
+
+std::string engine_name(DecoderEngine engine) {
+  switch (engine) {
+    case DecoderEngine::BruteForce:
+      return "brute-force";
+    case DecoderEngine::Hash:
+      return "hash";
+    case DecoderEngine::Chunks:
+      return "chunks";
+    case DecoderEngine::Auto:
+      break;
+  }
+  return "auto";
+}
+
+}  // namespace tagmint::cli

@@ -1,0 +1,58 @@
+#include <nlohmann/json.hpp>
+
+#include "cli/family_report.h"
+#include "cli/family_text.h"
+#include "tagmint/codec/complexity.h"
+
+namespace tagmint::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The distances that occur: [{"distance":11,"<counted>":208},...].
+Json histogram_json(const std::vector<std::uint64_t>& histogram, const std::string& counted) {
+  Json bars = Json::array();
+  for (std::size_t distance = 0; distance < histogram.size(); ++distance) {
+    if (histogram[distance] == 0) continue;
+    bars.push_back({{"distance", distance}, {counted, histogram[distance]}});
+  }
+  return bars;
+}
+
+}  // namespace
+
+std::string family_report_json(const FamilyReport& report) {
+  const codec::Family& family = *report.family;
+  Json json = family_summary_json(family);
+  json["true_min_hamming"] = report.stats.min_hamming;
+  json["layout_rows"] = family.layout().rows();
+  json["reversed_border"] = family.layout().reversed_border();
+  json["complexity"] = codec::to_string(family.complexity());
+  const codec::Origin& origin = family.origin();
+  json["origin"] = {{"method", origin.method},
+                    {"order", origin.order},
+                    {"seed", origin.seed},
+                    {"searched", origin.searched},
+                    {"program", origin.program}};
+  json["sha256"] = report.digest;
+  json["distance_histogram"] = histogram_json(report.stats.distance_histogram, "pairs");
+  json["self_distance_histogram"] = histogram_json(report.stats.self_histogram, "tags");
+  json["false_accept_rate"] = Json::array();
+  for (std::size_t bits = 0; bits < report.stats.false_accept_rate.size(); ++bits) {
+    json["false_accept_rate"].push_back(
+        {{"corrected_bits", bits}, {"rate", report.stats.false_accept_rate[bits]}});
+  }
+  json["complexity_histogram"] = Json::array();
+  for (const auto& [value, tags] : report.complexity_histogram) {
+    json["complexity_histogram"].push_back({{report.complexity_measure, value}, {"tags", tags}});
+  }
+  json["lookup"] = Json::array();
+  for (const LookupMemory& memory : report.lookup) {
+    json["lookup"].push_back({{"engine", engine_name(memory.engine)},
+                              {"max_errors", memory.max_errors},
+                              {"bytes", memory.bytes}});
+  }
+  return json.dump(2) + "\n";
+}
+
+}  // namespace tagmint::cli
