@@ -2,12 +2,6 @@
 
 #include <vector>
 
-#include "cli/cmd_check.h"
-#include "cli/cmd_decode.h"
-#include "cli/cmd_encode.h"
-#include "cli/cmd_families.h"
-#include "cli/cmd_generate.h"
-#include "cli/cmd_info.h"
 
 namespace tagmint::cli {
 
@@ -15,12 +9,6 @@ std::span<const Command> command_table() {
   // One line a command, and its header above.
   // clang-format off
   static const std::vector<Command> table = {
-      families_command(),
-      generate_command(),
-      info_command(),
-      check_command(),
-      encode_command(),
-      decode_command(),
   };
   // clang-format on
   return table;
