@@ -34,6 +34,9 @@ int run(const Options& options, const Common& common) {
 }
 
 Runner set_up(CLI::App& app, const Common& common) {
+  app.description(
+      "Proves distance, distance to the own turns, complexity and levels from the codes alone. "
+      "Exit code 1 where something does not hold.");
   auto options = std::make_shared<Options>();
   add_family(app, options->family);
   add_output(app, options->output);
@@ -45,9 +48,7 @@ Runner set_up(CLI::App& app, const Common& common) {
 
 Command check_command() {
   return {.name = "check",
-          .summary =
-              "prove a family's distance, complexity and symmetry from its codes; exit 1 if "
-              "it fails",
+          .summary = "prove what a family declares, or show what is wrong",
           .examples = {"tagmint check tag36h11", "tagmint check my.json"},
           .set_up = set_up};
 }

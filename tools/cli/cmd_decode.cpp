@@ -101,6 +101,7 @@ int run(const Options& options) {
 }
 
 Runner set_up(CLI::App& app, const Common&) {
+  app.description("Looks in all four rotations. Exit code 1 when no codeword matches.");
   auto options = std::make_shared<Options>();
   add_family(app, options->family);
   app.add_option("CODE", options->codes, "codewords in hex, the first data cell as highest bit")
@@ -115,9 +116,7 @@ Runner set_up(CLI::App& app, const Common&) {
 
 Command decode_command() {
   return {.name = "decode",
-          .summary =
-              "find the tag nearest to each codeword, in any rotation; exit 1 if none "
-              "matches",
+          .summary = "find the tag nearest to each codeword",
           .examples = {"tagmint decode tag36h11 0xd7e00984b",
                        "tagmint decode my.json 1f4ec0 --max-hamming 4 --format json"},
           .set_up = set_up};

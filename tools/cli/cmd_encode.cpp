@@ -68,6 +68,8 @@ int run(const Options& options) {
 }
 
 Runner set_up(CLI::App& app, const Common&) {
+  app.description(
+      "In the picture a block is a white cell, a blank is a black one, dots are no cell.");
   auto options = std::make_shared<Options>();
   add_family(app, options->family);
   app.add_option("ID", options->ids, "ids and ranges, like 7 or 0-9,12,20-")->required();
@@ -80,9 +82,7 @@ Runner set_up(CLI::App& app, const Common&) {
 
 Command encode_command() {
   return {.name = "encode",
-          .summary =
-              "show codewords and cell pictures of ids: a block is a white cell, blank is "
-              "black, dots are no cell",
+          .summary = "show codewords and cell pictures of ids",
           .examples = {"tagmint encode tag36h11 7", "tagmint encode tag16h5 0-4 9 --format json"},
           .set_up = set_up};
 }

@@ -215,6 +215,9 @@ int run(const Options& options, const Common& common) {
 }
 
 Runner set_up(CLI::App& app, const Common& common) {
+  app.description(
+      "Searches a family of tags that are H bits apart in every rotation, and writes its file. The "
+      "result does not depend on the number of threads.");
   auto options = std::make_shared<Options>();
   app.add_option("--layout", options->layout, "classic:W, standard:W, circle:W or custom:ROWS")
       ->required()
@@ -254,7 +257,7 @@ Runner set_up(CLI::App& app, const Common& common) {
 
 Command generate_command() {
   return {.name = "generate",
-          .summary = "search a family of tags that are H bits apart in every rotation",
+          .summary = "search a new family of tags",
           .examples = {"tagmint generate --layout standard:7 --min-hamming 9 -o my.json",
                        "tagmint generate --layout classic:8 --min-hamming 5 --attempts 20 -o "
                        "best.json"},

@@ -30,6 +30,7 @@ int run(const Options& options, const Common& common) {
 }
 
 Runner set_up(CLI::App& app, const Common& common) {
+  app.description("Distances between the tags, false accepts, complexity, memory of the lookup.");
   auto options = std::make_shared<Options>();
   add_family(app, options->family);
   add_format(app, options->format, {"text", "json"}, "text");
@@ -42,7 +43,7 @@ Runner set_up(CLI::App& app, const Common& common) {
 
 Command info_command() {
   return {.name = "info",
-          .summary = "statistics of a family: distances, false accepts, complexity, memory",
+          .summary = "statistics of a family",
           .examples = {"tagmint info tag36h11", "tagmint info my.json --format json"},
           .set_up = set_up};
 }

@@ -48,8 +48,8 @@ struct Command {
   std::string_view name;
   std::string_view summary;                  ///< one line, as `tagmint --help` lists it
   std::array<std::string_view, 2> examples;  ///< the end of `tagmint NAME --help`
-  /// Adds options to `app`; the returned function is called when this command was chosen. `common`
-  /// outlives it.
+  /// Adds options to `app`, and a description for the help where one line says too little; the
+  /// returned function is called when this command was chosen. `common` outlives it.
   Runner (*set_up)(CLI::App& app, const Common& common);
 };
 

@@ -2,6 +2,9 @@
 
 #include <vector>
 
+#include "cli/cmd_encode.h"
+#include "cli/cmd_families.h"
+#include "cli/cmd_generate.h"
 
 namespace tagmint::cli {
 
@@ -9,6 +12,9 @@ std::span<const Command> command_table() {
   // One line a command, and its header above.
   // clang-format off
   static const std::vector<Command> table = {
+      families_command(),
+      generate_command(),
+      encode_command(),
   };
   // clang-format on
   return table;

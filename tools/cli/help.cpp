@@ -41,11 +41,19 @@ std::string table_row(std::string_view left, std::string_view right) {
   return row + '\n';
 }
 
+/// The option's type as its command named it, "N": without what CLI11 appends for each check.
+std::string type_name(const CLI::Option& option) {
+  std::string type = option.get_type_name();
+  type.erase(std::min(type.find(":INT in ["), type.size()));
+  type.erase(std::min(type.find(":FLOAT in ["), type.size()));
+  return type;
+}
+
 /// "-o,--output FILE" or, for a positional, "FAMILY".
 std::string left_part(const CLI::Option& option) {
   if (option.get_positional()) return option.get_name(true, false);
   std::string text = option.get_name(false, true);
-  const std::string type = option.get_type_name();
+  const std::string type = type_name(option);
   const bool takes_value = option.get_items_expected_max() > 0;
   if (takes_value && !type.empty()) text += " " + type;
   return text;
@@ -100,7 +108,11 @@ std::string program_help(std::span<const Command> commands) {
 }
 
 std::string command_help(const Command& command, const CLI::App& app) {
-  std::string text = fmt::format("{}\n\n{}", command.summary, usage_line(command, app));
+  std::string text;
+  const std::string about =
+      fmt::format("tagmint {}: {}. {}", command.name, command.summary, app.get_description());
+  for (const std::string& line : wrapped(about, kColumns)) text += line + "\n";
+  text += "\n" + usage_line(command, app);
   std::string arguments, options, common;
   for (const CLI::Option* option : app.get_options()) {
     if (option->get_group().empty()) continue;
