@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "tagmint/codec/codeword.h"
@@ -47,18 +48,20 @@ class Decoder {
   static constexpr std::size_t kMaxTableBytes = std::size_t{64} << 20;
 
   /// Throws std::invalid_argument when family is null, max_errors is negative, above the safe
-  /// radius without allow_unsafe_radius, or above 2 for the Hash engine, or an id is not in the
-  /// family.
+  /// radius without allow_unsafe_radius, above the bits of a word, or above 2 for the Hash engine,
+  /// or an id is not in the family. An id given twice counts once.
+  ///   cost   Hash: ids * (words within max_errors) table entries, some 50 million a second
   explicit Decoder(SharedFamily family, DecoderOptions options = {});
   ~Decoder();
   Decoder(Decoder&&) noexcept;
   Decoder& operator=(Decoder&&) noexcept;
 
   /// The tag nearest to `observed` over the four rotations, if it is within max_errors() and no
-  /// other tag is as near.
+  /// other tag is as near. Of several turns of the same tag that are equally near, the fewest.
   ///   observed   layout().bits() low bits, the rest zero
   ///   cost       Hash: four table look-ups; Chunks: 4 * (max_errors + 1) short lists; BruteForce:
   ///   4 * ids compares
+  ///   errors     none; safe to call from many threads at once
   std::optional<Match> decode(Codeword observed) const;
 
   const SharedFamily& family() const { return family_; }
@@ -72,9 +75,15 @@ class Decoder {
   class Lookup;
 
  private:
+  /// The codewords to recognise, and by their index their ids.
+  std::span<const Codeword> codewords() const;
+  TagId id_at(std::size_t index) const;
+
   SharedFamily family_;
   int max_errors_ = 0;
   DecoderEngine engine_ = DecoderEngine::Auto;
+  std::vector<TagId> chosen_ids_;           // sorted; empty = all ids of the family
+  std::vector<Codeword> chosen_codewords_;  // those of chosen_ids_
   std::unique_ptr<const Lookup> lookup_;
 };
 

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+
+#include "tagmint/codec/codeword.h"
+#include "tagmint/codec/decoder.h"
+
+namespace tagmint::codec {
+
+/// The nearest of the codewords offered so far, and whether another one is as near.
+struct Nearest {
+  static constexpr int kNone = kMaxBits + 1;  // farther than any word can be
+
+  int distance = kNone;
+  std::size_t index = 0;
+  bool tie = false;
+
+  bool found() const { return distance != kNone; }
+
+  /// Takes one more candidate. The same codeword may be offered several times.
+  void offer(std::size_t candidate, int candidate_distance) {
+    if (candidate_distance > distance) return;
+    if (candidate_distance < distance) {
+      *this = {candidate_distance, candidate, false};
+    } else if (candidate != index) {
+      tie = true;
+    }
+  }
+};
+
+/// Finds the nearest of a list of codewords to a word as it stands, without turning it.
+class Decoder::Lookup {
+ public:
+  virtual ~Lookup() = default;
+
+  /// The nearest codeword within the radius that the look-up was made for. Ties are told, not
+  /// resolved.
+  virtual Nearest nearest(Codeword word) const = 0;
+
+  /// Bytes of the tables beside the codewords themselves.
+  virtual std::size_t table_bytes() const = 0;
+
+ protected:
+  /// `codewords` must outlive the look-up; index = place in it.
+  Lookup(std::span<const Codeword> codewords, int radius)
+      : codewords_(codewords), radius_(radius) {}
+
+  /// Offers the codeword at `index` if it is within the radius of `word`.
+  void compare(Codeword word, std::size_t index, Nearest& nearest) const {
+    const int distance = hamming_distance(word, codewords_[index]);
+    if (distance <= radius_) nearest.offer(index, distance);
+  }
+
+  std::span<const Codeword> codewords_;
+  int radius_;
+};
+
+/// The reference: compares the word with every codeword.
+std::unique_ptr<const Decoder::Lookup> make_brute_force_lookup(std::span<const Codeword> codewords,
+                                                               int radius);
+
+/// All words within `radius` <= 2 of a codeword in a hash table [WangOlson2016, III-E].
+std::unique_ptr<const Decoder::Lookup> make_hash_lookup(std::span<const Codeword> codewords,
+                                                        int bits, int radius);
+
+/// Bytes that make_hash_lookup()'s table would take.
+std::size_t hash_table_bytes(std::size_t codewords, int bits, int radius);
+
+/// An index of `radius` + 1 chunks of the word, one of which has no error.
+std::unique_ptr<const Decoder::Lookup> make_chunk_lookup(std::span<const Codeword> codewords,
+                                                         int bits, int radius);
+
+}  // namespace tagmint::codec
