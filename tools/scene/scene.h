@@ -1,0 +1,102 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "tagmint/codec/family.h"
+#include "tagmint/detect/camera.h"
+#include "tagmint/detect/geometry.h"
+#include "tagmint/detect/image.h"
+#include "tagmint/detect/pose.h"
+
+namespace tagmint::scene {
+
+/// Where a tag is in space: its pose before the scene's camera and the side of its border square.
+struct PosedTag {
+  detect::Pose pose;  ///< tag frame to camera frame, metres; `error` is not used
+  double edge_m = 0;  ///< side of the border square, > 0
+};
+
+/// One tag of a scene: what it is, and where, either in space or as the four corners of its border
+/// square in pixels (order of detect::Corners; sides are straight then, whatever the camera).
+struct SceneTag {
+  codec::SharedFamily family;
+  codec::TagId id = 0;
+  std::variant<PosedTag, detect::Corners> place;
+};
+
+/// One gray level everywhere.
+struct PlainBackground {
+  double gray = 128;  ///< 0..255
+};
+
+/// A gray level that changes evenly along one direction, from one end of the image to the other.
+struct GradientBackground {
+  double from = 80;      ///< 0..255
+  double to = 180;       ///< 0..255
+  double angle_deg = 0;  ///< direction of the change; 0 = to the right, 90 = downwards
+};
+
+/// A smooth random texture: four octaves of noise, each half as large and half as strong as the one
+/// before.
+struct TextureBackground {
+  double gray = 128;      ///< middle level, 0..255
+  double amplitude = 40;  ///< largest distance from the middle, gray levels, 0..255
+  double scale_px = 48;   ///< size of the coarsest blobs, >= 1
+};
+
+/// A photograph behind the tags, scaled to cover the scene and cut evenly.
+struct PhotoBackground {
+  std::string path;     ///< as it is named in messages and scene files
+  detect::Image image;  ///< not empty
+};
+
+using Background =
+    std::variant<PlainBackground, GradientBackground, TextureBackground, PhotoBackground>;
+
+/// Light that falls off evenly: full at one end of the image, (1 - strength) of it at the other.
+struct Shading {
+  double strength = 0;   ///< 0 = even light, below 1
+  double angle_deg = 0;  ///< direction in which it gets darker; 0 = to the right, 90 = downwards
+};
+
+/// What the camera and the light do to the picture, in this order: shading, blur, noise, rounding.
+struct Effects {
+  double black = 30;   ///< gray level of black cells in full light, 0..255
+  double white = 220;  ///< of white cells, above `black`
+  Shading shading;
+  double blur_sigma_px = 0;  ///< Gaussian blur, >= 0
+  double noise_sigma = 0;    ///< Gaussian noise, gray levels, >= 0
+};
+
+inline constexpr int kMaxSide_px = 1 << 14;  ///< of a scene; 2^28 pixels in all
+inline constexpr int kMaxQuietZone_cells = 64;
+
+/// A synthetic camera image, described. The same scene always gives the same picture.
+struct Scene {
+  int width = 640;        ///< px, 1 .. kMaxSide_px
+  int height = 480;       ///< px, 1 .. kMaxSide_px
+  detect::Camera camera;  ///< for tags placed in space; default_camera() where none is known
+  Background background;
+  int quiet_zone_cells = 1;    ///< width of the white paper around each tag, in cells,
+                               ///< 0 .. kMaxQuietZone_cells
+  std::vector<SceneTag> tags;  ///< later ones lie on top of earlier ones
+  Effects effects;
+  std::uint64_t seed = 1;  ///< of the noise and the background texture
+};
+
+/// A camera without distortion that looks through the middle of the image, focal length = width
+/// (53 degrees across).
+detect::Camera default_camera(int width, int height);
+
+/// Throws std::invalid_argument, naming the field, its value and the allowed range, when the scene
+/// cannot be drawn: a size, level, sigma or camera out of range, an id that the family lacks, a
+/// pose that is no rotation, a tag that faces away from the camera or lies behind it, corners that
+/// are not a convex quad in counter-clockwise order as seen, or a tag where the distortion folds
+/// back on itself.
+void check_scene(const Scene& scene);
+
+}  // namespace tagmint::scene
