@@ -1,0 +1,199 @@
+#include "scene/scene_file.h"
+
+#include <cstdint>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <stdexcept>
+
+#include "io/images.h"
+#include "scene/json_reader.h"
+#include "scene/rotation.h"
+#include "tagmint/codec/builtin_families.h"
+#include "tagmint/codec/family_file.h"
+
+namespace tagmint::scene {
+
+using codec::InputError;
+using detect::Corners;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Reads each family once, however many tags name it.
+class Families {
+ public:
+  explicit Families(fs::path folder) : folder_(std::move(folder)) {}
+
+  codec::SharedFamily get(const std::string& name) {
+    codec::SharedFamily& family = loaded_[name];
+    if (family) return family;
+    family = codec::find_family(name);
+    const fs::path file = folder_ / name;
+    std::error_code error;
+    if (!family && fs::exists(file, error)) {
+      family = std::make_shared<const codec::Family>(codec::read_family(file));
+    }
+    // Neither: load_family() knows how to say so.
+    if (!family) family = codec::load_family(name);
+    return family;
+  }
+
+ private:
+  fs::path folder_;
+  std::map<std::string, codec::SharedFamily> loaded_;
+};
+
+detect::Camera read_camera(const JsonValue& value, int width, int height) {
+  value.require_keys({"fx", "fy", "cx", "cy", "distortion"});
+  detect::Camera camera = default_camera(width, height);
+  camera.fx = value.at("fx").number(1e-3, 1e9);
+  camera.fy = value.has("fy") ? value.at("fy").number(1e-3, 1e9) : camera.fx;
+  if (value.has("cx")) camera.cx = value.at("cx").number();
+  if (value.has("cy")) camera.cy = value.at("cy").number();
+  if (value.has("distortion")) {
+    const auto d = value.at("distortion").numbers<5>();
+    camera.k1 = d[0];
+    camera.k2 = d[1];
+    camera.p1 = d[2];
+    camera.p2 = d[3];
+    camera.k3 = d[4];
+  }
+  return camera;
+}
+
+Background read_background(const JsonValue& value, const fs::path& folder) {
+  value.require_keys({"gray", "gradient", "texture", "image"});
+  const std::string kind = value.only_key();
+  const JsonValue details = value.at(kind);
+  if (kind == "gray") return PlainBackground{details.number(0, 255)};
+  if (kind == "gradient") {
+    details.require_keys({"from", "to", "angle_deg"});
+    GradientBackground gradient;
+    if (details.has("from")) gradient.from = details.at("from").number(0, 255);
+    if (details.has("to")) gradient.to = details.at("to").number(0, 255);
+    if (details.has("angle_deg")) gradient.angle_deg = details.at("angle_deg").number();
+    return gradient;
+  }
+  if (kind == "texture") {
+    details.require_keys({"gray", "amplitude", "scale_px"});
+    TextureBackground texture;
+    if (details.has("gray")) texture.gray = details.at("gray").number(0, 255);
+    if (details.has("amplitude")) texture.amplitude = details.at("amplitude").number(0, 255);
+    if (details.has("scale_px")) texture.scale_px = details.at("scale_px").number(1, 1e6);
+    return texture;
+  }
+  const std::string path = details.text();
+  return PhotoBackground{path, io::read_gray_image((folder / path).string())};
+}
+
+detect::Pose read_pose(const JsonValue& value) {
+  detect::Pose pose;
+  if (value.has("pose")) {
+    if (value.has("position_m") || value.has("rotation_deg")) {
+      value.fail("has a pose and a position or rotation", "give one of them");
+    }
+    const JsonValue given = value.at("pose");
+    given.require_keys({"R", "t"});
+    pose.R = given.at("R").numbers<9>();
+    pose.t = given.at("t").numbers<3>();
+    return pose;
+  }
+  pose.t = value.at("position_m").numbers<3>();
+  if (value.has("rotation_deg")) {
+    pose.R = rotation_from_angles(value.at("rotation_deg").numbers<3>());
+  }
+  return pose;
+}
+
+SceneTag read_tag(const JsonValue& value, Families& families) {
+  value.require_keys({"family", "id", "edge_m", "pose", "position_m", "rotation_deg", "corners"});
+  SceneTag tag;
+  tag.family = families.get(value.at("family").text());
+  tag.id = static_cast<codec::TagId>(value.at("id").whole(0, tag.family->size() - 1));
+  if (!value.has("corners")) {
+    tag.place = PosedTag{read_pose(value), value.at("edge_m").number(1e-9, 1e9)};
+    return tag;
+  }
+  for (const char* other : {"edge_m", "pose", "position_m", "rotation_deg"}) {
+    if (value.has(other)) {
+      value.fail(std::string("has corners and ") + other, "place it one way or the other");
+    }
+  }
+  Corners corners;
+  const std::vector<JsonValue> given = value.at("corners").elements();
+  if (given.size() != 4) {
+    value.at("corners").fail("are not four", "give bottom-left, bottom-right, top-right, top-left");
+  }
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto xy = given[i].numbers<2>();
+    corners[i] = {xy[0], xy[1]};
+  }
+  tag.place = corners;
+  return tag;
+}
+
+Effects read_effects(const JsonValue& root) {
+  Effects effects;
+  if (root.has("black")) effects.black = root.at("black").number(0, 255);
+  if (root.has("white")) effects.white = root.at("white").number(0, 255);
+  if (root.has("blur_px")) effects.blur_sigma_px = root.at("blur_px").number(0, 1000);
+  if (root.has("noise")) effects.noise_sigma = root.at("noise").number(0, 255);
+  if (root.has("shading")) {
+    const JsonValue shading = root.at("shading");
+    shading.require_keys({"strength", "angle_deg"});
+    effects.shading.strength = shading.at("strength").number(0, 1);
+    if (shading.has("angle_deg")) effects.shading.angle_deg = shading.at("angle_deg").number();
+  }
+  return effects;
+}
+
+Scene read_root(const JsonValue& root, const fs::path& folder) {
+  root.require_keys({"width", "height", "camera", "background", "quiet_zone_cells", "tags", "black",
+                     "white", "shading", "blur_px", "noise", "seed"});
+  Scene scene;
+  scene.width = static_cast<int>(root.at("width").whole(1, kMaxSide_px));
+  scene.height = static_cast<int>(root.at("height").whole(1, kMaxSide_px));
+  scene.camera = root.has("camera") ? read_camera(root.at("camera"), scene.width, scene.height)
+                                    : default_camera(scene.width, scene.height);
+  if (root.has("background")) scene.background = read_background(root.at("background"), folder);
+  if (root.has("quiet_zone_cells")) {
+    scene.quiet_zone_cells =
+        static_cast<int>(root.at("quiet_zone_cells").whole(0, kMaxQuietZone_cells));
+  }
+  Families families(folder);
+  for (const JsonValue& tag : root.at("tags").elements()) {
+    scene.tags.push_back(read_tag(tag, families));
+  }
+  scene.effects = read_effects(root);
+  if (root.has("seed")) {
+    scene.seed = root.at("seed").whole(0, std::numeric_limits<std::uint64_t>::max());
+  }
+  return scene;
+}
+
+}  // namespace
+
+Scene parse_scene(std::string_view json, const std::string& source, const fs::path& folder) {
+  const nlohmann::json parsed = parse_json(json, source);
+  Scene scene = read_root(JsonValue(parsed, source), folder);
+  try {
+    check_scene(scene);
+  } catch (const std::invalid_argument& fault) {
+    throw InputError(fault.what(), source, "");
+  }
+  return scene;
+}
+
+Scene read_scene(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  if (!file) {
+    throw InputError("the scene file cannot be read", path.string(), "check the path");
+  }
+  return parse_scene(text, path.string(), path.parent_path());
+}
+
+}  // namespace tagmint::scene
