@@ -1,5 +1,6 @@
 #include "scene/render.h"
 
+#include <tbb/info.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -124,7 +125,8 @@ Rendering render(const Scene& scene, int threads) {
   check_scene(scene);
   Drawing drawing = draw_tags(scene);
   Rendering rendering{.image = {}, .truth = std::move(drawing.truth)};
-  tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+  const int cores = tbb::info::default_concurrency();
+  tbb::task_arena arena(threads > 0 ? std::min(threads, cores) : cores);
   arena.execute([&] {
     apply_shading(scene.effects.shading, drawing.plane);
     apply_blur(scene.effects.blur_sigma_px, drawing.plane);
