@@ -1,0 +1,161 @@
+#include "io/detections.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <span>
+
+namespace tagmint::io {
+namespace {
+
+using detect::Point;
+using detect::Pose;
+
+constexpr int kDigits = 12;  // 1e-6 of a pixel in images of up to 10^5 pixels
+
+std::string number(double value) { return fmt::format("{:.{}g}", value, kDigits); }
+
+/// The numbers, each with a comma before it but the first.
+std::string numbers(std::span<const double> values) {
+  std::string text;
+  for (const double value : values) text += (text.empty() ? "" : ",") + number(value);
+  return text;
+}
+
+std::string json_text(const std::string& text) {
+  // File names need not be UTF-8; JSON must be.
+  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+std::string json_point(Point p) { return fmt::format("[{},{}]", number(p.x), number(p.y)); }
+
+std::string json_pose(const Pose& pose) {
+  return fmt::format(R"({{"R":[{}],"t":[{}],"error":{}}})", numbers(pose.R), numbers(pose.t),
+                     number(pose.error));
+}
+
+std::string json_tag(const FoundTag& tag) {
+  const detect::Detection& d = tag.detection;
+  std::string json = fmt::format(
+      R"({{"family":{},"id":{},"hamming":{},"decision_margin":{},"center":{},"corners":[)",
+      json_text(d.family->name()), d.id, d.hamming, number(d.decision_margin),
+      json_point(d.center));
+  for (std::size_t i = 0; i < 4; ++i) json += (i ? "," : "") + json_point(d.corners[i]);
+  json += fmt::format(R"(],"homography":[{}])", numbers(d.homography.row_major()));
+  if (tag.pose) {
+    json += R"(,"pose":)" + json_pose(tag.pose->best);
+    if (tag.pose->alternative) {
+      json += R"(,"pose_alternative":)" + json_pose(*tag.pose->alternative);
+    }
+  }
+  return json + "}";
+}
+
+/// A field of CSV, in quotes where it holds something special.
+std::string csv_text(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+constexpr int kPoseColumns = 13;
+
+std::string csv_pose_header(const std::string& prefix) {
+  std::string header;
+  for (int i = 0; i < 9; ++i) header += fmt::format(",{}_r{}", prefix, i);
+  return header + fmt::format(",{0}_x,{0}_y,{0}_z,{0}_error", prefix);
+}
+
+std::string csv_pose(const Pose* pose) {
+  if (!pose) return std::string(kPoseColumns, ',');
+  return "," + numbers(pose->R) + "," + numbers(pose->t) + "," + number(pose->error);
+}
+
+/// Mean side of the border square as the image shows it, px.
+double mean_side_px(const detect::Corners& corners) {
+  double sum = 0;
+  for (std::size_t i = 0; i < 4; ++i) sum += length(corners[(i + 1) % 4] - corners[i]);
+  return sum / 4;
+}
+
+}  // namespace
+
+std::string format_jsonl(const ImageResult& result) {
+  if (result.error) {
+    return fmt::format("{{\"image\":{},\"error\":{}}}\n", json_text(result.image),
+                       json_text(*result.error));
+  }
+  std::string line =
+      fmt::format(R"({{"image":{},"width":{},"height":{},"elapsed_ms":{:.3f},)",
+                  json_text(result.image), result.width, result.height, result.elapsed_ms);
+  line += "\"detections\":[";
+  for (std::size_t i = 0; i < result.tags.size(); ++i) {
+    line += (i ? "," : "") + json_tag(result.tags[i]);
+  }
+  return line + "]}\n";
+}
+
+std::string csv_header(bool poses) {
+  std::string header = "image,family,id,hamming,decision_margin,center_x,center_y";
+  for (int i = 0; i < 4; ++i) header += fmt::format(",corner{0}_x,corner{0}_y", i);
+  for (int i = 0; i < 9; ++i) header += fmt::format(",h{}", i);
+  if (poses) header += csv_pose_header("pose") + csv_pose_header("alternative");
+  return header + "\n";
+}
+
+std::string format_csv(const ImageResult& result, bool poses) {
+  std::string lines;
+  for (const FoundTag& tag : result.tags) {
+    const detect::Detection& d = tag.detection;
+    lines +=
+        fmt::format("{},{},{},{},{},{},{}", csv_text(result.image), d.family->name(), d.id,
+                    d.hamming, number(d.decision_margin), number(d.center.x), number(d.center.y));
+    for (const Point corner : d.corners) {
+      lines += fmt::format(",{},{}", number(corner.x), number(corner.y));
+    }
+    lines += "," + numbers(d.homography.row_major());
+    if (poses) {
+      const detect::PoseEstimate* pose = tag.pose ? &*tag.pose : nullptr;
+      lines += csv_pose(pose ? &pose->best : nullptr);
+      lines += csv_pose(pose && pose->alternative ? &*pose->alternative : nullptr);
+    }
+    lines += "\n";
+  }
+  return lines;
+}
+
+std::string format_text(const ImageResult& result) {
+  if (result.error) return fmt::format("{}: {}\n", result.image, *result.error);
+  std::string text = fmt::format("{}: {} x {} px, {} tag{}, {:.2f} ms\n", result.image,
+                                 result.width, result.height, result.tags.size(),
+                                 result.tags.size() == 1 ? "" : "s", result.elapsed_ms);
+  if (result.tags.empty()) return text;
+  std::size_t widest = 6;
+  bool poses = false;
+  for (const FoundTag& tag : result.tags) {
+    widest = std::max(widest, tag.detection.family->name().size());
+    poses = poses || tag.pose;
+  }
+  text += fmt::format("  {:<{}} {:>6} {:>6} {:>6} {:>9} {:>9} {:>7}", "family", widest, "id",
+                      "errors", "margin", "center x", "center y", "side px");
+  if (poses) text += fmt::format(" {:>9} {:>9} {:>9}", "x m", "y m", "z m");
+  text += "\n";
+  for (const FoundTag& tag : result.tags) {
+    const detect::Detection& d = tag.detection;
+    text += fmt::format("  {:<{}} {:>6} {:>6} {:>6.1f} {:>9.2f} {:>9.2f} {:>7.1f}",
+                        d.family->name(), widest, d.id, d.hamming, d.decision_margin, d.center.x,
+                        d.center.y, mean_side_px(d.corners));
+    if (tag.pose) {
+      const auto& t = tag.pose->best.t;
+      text += fmt::format(" {:>9.4f} {:>9.4f} {:>9.4f}", t[0], t[1], t[2]);
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace tagmint::io
