@@ -21,7 +21,10 @@ std::string number(double value) { return fmt::format("{:.{}g}", value, kDigits)
 /// The numbers, each with a comma before it but the first.
 std::string numbers(std::span<const double> values) {
   std::string text;
-  for (const double value : values) text += (text.empty() ? "" : ",") + number(value);
+  for (const double value : values) {
+    if (!text.empty()) text += ',';
+    text += number(value);
+  }
   return text;
 }
 
@@ -43,23 +46,28 @@ std::string json_tag(const FoundTag& tag) {
       R"({{"family":{},"id":{},"hamming":{},"decision_margin":{},"center":{},"corners":[)",
       json_text(d.family->name()), d.id, d.hamming, number(d.decision_margin),
       json_point(d.center));
-  for (std::size_t i = 0; i < 4; ++i) json += (i ? "," : "") + json_point(d.corners[i]);
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (i > 0) json += ',';
+    json += json_point(d.corners[i]);
+  }
   json += fmt::format(R"(],"homography":[{}])", numbers(d.homography.row_major()));
   if (tag.pose) {
-    json += R"(,"pose":)" + json_pose(tag.pose->best);
+    json += fmt::format(R"(,"pose":{})", json_pose(tag.pose->best));
     if (tag.pose->alternative) {
-      json += R"(,"pose_alternative":)" + json_pose(*tag.pose->alternative);
+      json += fmt::format(R"(,"pose_alternative":{})", json_pose(*tag.pose->alternative));
     }
   }
-  return json + "}";
+  json += '}';
+  return json;
 }
 
 /// A field of CSV, in quotes where it holds something special.
 std::string csv_text(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
+  for (const char c : text) quoted.append(c == '"' ? 2 : 1, c);
+  quoted += '"';
+  return quoted;
 }
 
 constexpr int kPoseColumns = 13;
@@ -67,12 +75,13 @@ constexpr int kPoseColumns = 13;
 std::string csv_pose_header(const std::string& prefix) {
   std::string header;
   for (int i = 0; i < 9; ++i) header += fmt::format(",{}_r{}", prefix, i);
-  return header + fmt::format(",{0}_x,{0}_y,{0}_z,{0}_error", prefix);
+  header += fmt::format(",{0}_x,{0}_y,{0}_z,{0}_error", prefix);
+  return header;
 }
 
 std::string csv_pose(const Pose* pose) {
   if (!pose) return std::string(kPoseColumns, ',');
-  return "," + numbers(pose->R) + "," + numbers(pose->t) + "," + number(pose->error);
+  return fmt::format(",{},{},{}", numbers(pose->R), numbers(pose->t), number(pose->error));
 }
 
 /// Mean side of the border square as the image shows it, px.
@@ -94,9 +103,11 @@ std::string format_jsonl(const ImageResult& result) {
                   json_text(result.image), result.width, result.height, result.elapsed_ms);
   line += "\"detections\":[";
   for (std::size_t i = 0; i < result.tags.size(); ++i) {
-    line += (i ? "," : "") + json_tag(result.tags[i]);
+    if (i > 0) line += ',';
+    line += json_tag(result.tags[i]);
   }
-  return line + "]}\n";
+  line += "]}\n";
+  return line;
 }
 
 std::string csv_header(bool poses) {
@@ -104,7 +115,8 @@ std::string csv_header(bool poses) {
   for (int i = 0; i < 4; ++i) header += fmt::format(",corner{0}_x,corner{0}_y", i);
   for (int i = 0; i < 9; ++i) header += fmt::format(",h{}", i);
   if (poses) header += csv_pose_header("pose") + csv_pose_header("alternative");
-  return header + "\n";
+  header += '\n';
+  return header;
 }
 
 std::string format_csv(const ImageResult& result, bool poses) {
@@ -117,7 +129,7 @@ std::string format_csv(const ImageResult& result, bool poses) {
     for (const Point corner : d.corners) {
       lines += fmt::format(",{},{}", number(corner.x), number(corner.y));
     }
-    lines += "," + numbers(d.homography.row_major());
+    lines += fmt::format(",{}", numbers(d.homography.row_major()));
     if (poses) {
       const detect::PoseEstimate* pose = tag.pose ? &*tag.pose : nullptr;
       lines += csv_pose(pose ? &pose->best : nullptr);
