@@ -1,0 +1,134 @@
+#include "tagmint/codec/family_stats.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <random>
+#include <vector>
+
+#include "pair_distances.h"
+#include "tagmint/codec/builtin_families.h"
+#include "tagmint/codec/layout_presets.h"
+#include "tagmint/codec/rotation.h"
+
+namespace tagmint::codec {
+namespace {
+
+Family random_family(const Layout& layout, std::size_t codes, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::vector<Codeword> words;
+  while (words.size() < codes) {
+    const Codeword word = random() & low_mask(layout.bits());
+    if (std::find(words.begin(), words.end(), word) == words.end()) words.push_back(word);
+  }
+  return Family({"random", layout, 1, words, {}, {}, {}});
+}
+
+TEST(FamilyStats, CountsEveryPairAndEveryTagOnce) {
+  for (const char* layout : {"classic:8", "circle:9", "standard:10", "classic:12"}) {
+    const Family family = random_family(parse_layout(layout), 203, 1);
+    const int bits = family.bits();
+    std::vector<std::uint64_t> pairs(bits + 1, 0);
+    std::vector<std::uint64_t> selves(bits + 1, 0);
+    for (TagId i = 0; i < family.size(); ++i) {
+      ++selves[self_distance(family.codeword(i), bits)];
+      for (TagId j = i + 1; j < family.size(); ++j) {
+        ++pairs[rotation_distance(family.codeword(i), family.codeword(j), bits)];
+      }
+    }
+    const FamilyStats stats = family_stats(family);
+    EXPECT_EQ(stats.distance_histogram, pairs) << layout;
+    EXPECT_EQ(stats.self_histogram, selves) << layout;
+  }
+}
+
+TEST(FamilyStats, DoNotDependOnTheNumberOfThreads) {
+  const Family family = random_family(classic_layout(9), 500, 2);
+  const FamilyStats one = family_stats(family, 1);
+  for (const int threads : {2, 3, 8}) {
+    const FamilyStats many = family_stats(family, threads);
+    EXPECT_EQ(many.distance_histogram, one.distance_histogram);
+    EXPECT_EQ(many.self_histogram, one.self_histogram);
+    EXPECT_EQ(many.min_hamming, one.min_hamming);
+  }
+}
+
+TEST(FamilyStats, PublishedFamiliesKeepTheirDistance) {
+  for (const char* name :
+       {"tag16h5", "tag25h9", "tag36h11", "tag36h10", "tagCircle21h7", "tagStandard41h12"}) {
+    const SharedFamily family = find_family(name);
+    const FamilyStats stats = family_stats(*family);
+    EXPECT_EQ(stats.min_hamming, family->min_hamming()) << name;
+    const std::uint64_t n = family->size();
+    EXPECT_EQ(std::accumulate(stats.distance_histogram.begin(), stats.distance_histogram.end(),
+                              std::uint64_t{0}),
+              n * (n - 1) / 2);
+  }
+}
+
+TEST(FamilyStats, TheFalseAcceptRateCountsTheWordsThatWouldBeAccepted) {
+  const SharedFamily family = find_family("tag16h5");
+  const FamilyStats stats = family_stats(*family);
+  ASSERT_EQ(stats.false_accept_rate.size(), 9u);
+  for (int radius = 0; radius <= family->max_safe_errors(); ++radius) {
+    int accepted = 0;
+    for (Codeword word = 0; word < 0x10000; ++word) {
+      accepted += std::any_of(
+          family->codewords().begin(), family->codewords().end(),
+          [&](Codeword codeword) { return rotation_distance(word, codeword, 16) <= radius; });
+    }
+    EXPECT_DOUBLE_EQ(stats.false_accept_rate[radius], accepted / 65536.0) << radius;
+  }
+  EXPECT_EQ(stats.false_accept_rate.back(), 1.0);
+}
+
+TEST(FamilyStats, ThePaperGivesTheSameFalseAcceptRate) {
+  // [WangOlson2016] states 0.000570 % for 36h11 with up to two errors; that is one rotation's
+  // worth.
+  const FamilyStats stats = family_stats(*find_family("tag36h11"));
+  EXPECT_NEAR(stats.false_accept_rate[2] / 4, 0.00000570, 0.000000005);
+}
+
+TEST(FamilyStats, ASingleTagHasItsSelfDistance) {
+  const FamilyStats stats =
+      family_stats(Family({"one", classic_layout(8), 1, {0x000f}, {}, {}, {}}));
+  EXPECT_EQ(stats.min_hamming, 8);
+  EXPECT_EQ(std::accumulate(stats.distance_histogram.begin(), stats.distance_histogram.end(), 0u),
+            0u);
+}
+
+TEST(PairDistances, AreCountedByLevel) {
+  const Family family = random_family(classic_layout(8), 100, 3);
+  const std::vector<Level> levels = {{1, 9}, {10, 8}, {60, 7}, {100, 6}};
+  const auto histograms = pair_histograms(family.codewords(), 16, levels, 2);
+  ASSERT_EQ(histograms.size(), 4u);
+  std::uint64_t pairs_so_far = 0;
+  for (std::size_t level = 0; level < levels.size(); ++level) {
+    pairs_so_far +=
+        std::accumulate(histograms[level].begin(), histograms[level].end(), std::uint64_t{0});
+    EXPECT_EQ(pairs_so_far, levels[level].codes * (levels[level].codes - 1) / 2);
+  }
+}
+
+TEST(PairDistances, TheFirstNearPairHasTheLowestIds) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const Family family = random_family(classic_layout(9), 150, seed);
+    const std::vector<Level> levels = {{40, 4}, {150, 2}};
+    std::optional<std::pair<TagId, TagId>> expected;
+    for (TagId i = 0; i < 150 && !expected; ++i) {
+      for (TagId j = i + 1; j < 150 && !expected; ++j) {
+        const int least = j < 40 ? 4 : 2;
+        if (rotation_distance(family.codeword(i), family.codeword(j), 25) < least)
+          expected = {i, j};
+      }
+    }
+    for (const int threads : {1, 4}) {
+      EXPECT_EQ(first_near_pair(family.codewords(), 25, levels, threads), expected) << seed;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace tagmint::codec
