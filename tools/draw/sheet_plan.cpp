@@ -23,8 +23,9 @@ void require(bool holds, const char* what, double value, const char* range) {
 }
 
 void check(const std::vector<TagGroup>& groups, const SheetOptions& options) {
-  require(options.page_width_mm > 0, "a page width in mm", options.page_width_mm, "above 0");
-  require(options.page_height_mm > 0, "a page height in mm", options.page_height_mm, "above 0");
+  for (const double side : {options.page_width_mm, options.page_height_mm}) {
+    require(side > 0 && side <= kMaxPageMm, "a page side in mm", side, "above 0 up to 5080");
+  }
   for (const double length : {options.margin_mm, options.gap_mm, options.label_mm,
                               options.header_mm, options.footer_mm}) {
     require(length >= 0, "a margin, gap or text height in mm", length, "0 or more");
@@ -207,6 +208,11 @@ SheetPlan plan_single(const codec::SharedFamily& family, double edge_mm, codec::
   const SlotSize slot = slot_size(groups[0], options.label_mm);
   options.page_width_mm = slot.width_mm + 2 * options.margin_mm;
   options.page_height_mm = slot.height_mm + 2 * options.margin_mm;
+  if (options.page_height_mm > kMaxPageMm || options.page_width_mm > kMaxPageMm) {
+    throw DoesNotFit(fmt::format("a page of {} is larger than the limit of {}",
+                                 format_mm(options.page_height_mm), format_mm(kMaxPageMm)),
+                     describe(groups[0]), "take a smaller edge");
+  }
   return plan_sheet(std::move(groups), options);
 }
 

@@ -8,6 +8,9 @@
 
 namespace tagmint::draw {
 
+/// Longest side of a page: PDF programs take no more than 14,400 units of 1/72 inch.
+inline constexpr double kMaxPageMm = 5080.0;
+
 /// A rectangle on a page, in mm from the page's top-left corner; x right, y down.
 struct Box {
   double x_mm = 0.0;
@@ -90,7 +93,8 @@ class DoesNotFit : public codec::Fault {
 SheetPlan plan_sheet(std::vector<TagGroup> groups, const SheetOptions& options);
 
 /// One tag on a page of its own: the tag, its quiet zone, `options.margin_mm` and the label. The
-/// page's size and the grid in `options` are not looked at. Errors as plan_sheet().
+/// page's size and the grid in `options` are not looked at. Errors as plan_sheet(), DoesNotFit for
+/// a page larger than kMaxPageMm.
 SheetPlan plan_single(const codec::SharedFamily& family, double edge_mm, codec::TagId id,
                       SheetOptions options);
 
