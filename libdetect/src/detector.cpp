@@ -55,6 +55,13 @@ void check_options(const DetectorOptions& o) {
   require(o.threads >= 0, "threads", o.threads, "at least 0");
 }
 
+/// Threads to use: those asked for, 0 = all, but no more than there are cores, where oneTBB would
+/// complain on the error stream.
+int shared_by(int asked) {
+  const int cores = tbb::info::default_concurrency();
+  return asked == 0 ? cores : std::min(asked, cores);
+}
+
 /// Adds the time until its end to one stage.
 class StageTimer {
  public:
@@ -132,7 +139,7 @@ struct Detector::Impl {
   ThresholdScratch threshold_scratch;
   Image three_valued;
   SegmentScratch segment_scratch;
-  Components components;
+  Labels labels;
   ClusterScratch cluster_scratch;
   Clusters clusters;
   tbb::enumerable_thread_specific<Worker> workers;
@@ -154,7 +161,7 @@ struct Detector::Impl {
 Detector::Impl::Impl(Decoders given, const DetectorOptions& o)
     : decoders(std::move(given)),
       options(o),
-      threads(o.threads == 0 ? tbb::info::default_concurrency() : o.threads),
+      threads(shared_by(o.threads)),
       arena(threads),
       preprocess_options{.decimate = o.decimate, .blur_sigma_px = o.blur_sigma_px},
       threshold_options{.min_contrast = o.min_contrast},
@@ -214,15 +221,13 @@ ImageView Detector::Impl::find_clusters(ImageView full, DetectStats& stats, Debu
   if (debug) debug->threshold(three_valued);
   {
     const StageTimer timer(stats, Stage::Segment);
-    segment(three_valued, segment_scratch, components);
+    segment(three_valued, segment_scratch, labels);
   }
-  stats.components += static_cast<std::int64_t>(components.count());
-  if (debug) {
-    debug->components(component_of_each_pixel(components), components.width, components.height);
-  }
+  stats.components += static_cast<std::int64_t>(labels.size.size());
+  if (debug) debug->components(labels.label, labels.width, labels.height);
   {
     const StageTimer timer(stats, Stage::Cluster);
-    cluster(components, cluster_options, cluster_scratch, clusters, stats);
+    cluster(three_valued, labels, cluster_options, cluster_scratch, clusters, stats);
   }
   if (debug) show_clusters(clusters, *debug);
   return working;

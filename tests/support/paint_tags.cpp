@@ -23,7 +23,7 @@ double radical_inverse(int i) {
   return value;
 }
 
-/// Gray level of the tag at a place of its plane; nothing where nothing is printed.
+/// The picture of a tag: which cell a place of the tag plane lies in, and what is printed there.
 class TagPicture {
  public:
   TagPicture(const codec::Family& family, codec::TagId id, const Ink& ink)
@@ -31,18 +31,21 @@ class TagPicture {
         cells_(codec::tag_cells(family.layout(), family.codeword(id))),
         ink_(ink) {}
 
-  std::optional<double> gray(Point p) const {
+  /// Column and row; cells of the surround and beyond count on in both directions.
+  codec::CellPosition cell_at(Point p) const {
     const double cells_per_unit = layout_.width_at_border() / 2.0;
-    const double x = (p.x + 1) * cells_per_unit + layout_.border_offset();
-    const double y = (p.y + 1) * cells_per_unit + layout_.border_offset();
-    const int column = static_cast<int>(std::floor(x));
-    const int row = static_cast<int>(std::floor(y));
+    return {static_cast<int>(std::floor((p.x + 1) * cells_per_unit)) + layout_.border_offset(),
+            static_cast<int>(std::floor((p.y + 1) * cells_per_unit)) + layout_.border_offset()};
+  }
+
+  /// Nothing where nothing is printed.
+  std::optional<double> gray(codec::CellPosition p) const {
     const int width = layout_.width();
-    if (column >= 0 && row >= 0 && column < width && row < width) {
-      const Cell cell = cells_.at(column, row);
+    if (p.x >= 0 && p.y >= 0 && p.x < width && p.y < width) {
+      const Cell cell = cells_.at(p.x, p.y);
       if (cell != Cell::None) return cell == Cell::White ? ink_.white : ink_.black;
     }
-    const double outside = std::max({-x, -y, x - width, y - width});
+    const int outside = std::max({-p.x, -p.y, p.x - width + 1, p.y - width + 1});
     if (outside <= ink_.quiet_cells) return ink_.white;
     return std::nullopt;
   }
@@ -76,10 +79,21 @@ void paint_tag(Canvas& canvas, const codec::Family& family, codec::TagId id,
   const int y_end = std::min(canvas.height, static_cast<int>(std::ceil(bottom)));
   for (int y = std::max(0, static_cast<int>(top)); y < y_end; ++y) {
     for (int x = std::max(0, static_cast<int>(left)); x < x_end; ++x) {
+      const auto cell_at = [&](double dx, double dy) {
+        return picture.cell_at(to_tag.project({x + dx, y + dy}));
+      };
+      const auto gray = [&](codec::CellPosition cell) {
+        return picture.gray(cell).value_or(canvas.at(x, y));
+      };
+      // A cell's image is convex: with all four corners of a pixel in it, so is the whole pixel.
+      const codec::CellPosition first = cell_at(0, 0);
+      if (cell_at(1, 0) == first && cell_at(0, 1) == first && cell_at(1, 1) == first) {
+        canvas.at(x, y) = static_cast<float>(gray(first));
+        continue;
+      }
       double sum = 0;
       for (int i = 0; i < kSamples; ++i) {
-        const Point p = {x + (i + 0.5) / kSamples, y + radical_inverse(i) + 0.5 / kSamples};
-        sum += picture.gray(to_tag.project(p)).value_or(canvas.at(x, y));
+        sum += gray(cell_at((i + 0.5) / kSamples, radical_inverse(i) + 0.5 / kSamples));
       }
       canvas.at(x, y) = static_cast<float>(sum / kSamples);
     }

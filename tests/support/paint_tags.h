@@ -26,8 +26,7 @@ struct Canvas {
 struct Ink {
   double black = 40;
   double white = 210;
-  double quiet_cells =
-      1;  ///< width of the white (for reversed borders still white) surround, cells
+  int quiet_cells = 1;  ///< cells of `white` around the whole tag
 };
 
 /// Paints the cells of one tag through `tag_to_image`, which maps the border square [-1,1]^2 to

@@ -77,10 +77,13 @@ std::optional<Side> side_of(const Corners& corners, int i) {
 /// Where the gray values along the normal at `foot` change most in the wanted sense, within
 /// `search` px either way: the mean place of the changes around the steepest one. t is left at
 /// zero.
+/// Where cells are so small that the ring's far edge is within the blur, a cell of the other colour
+/// behind the ring pulls the place outwards and keeps the ring from reaching its full gray level;
+/// weights by the fourth power of the contrast prefer the places without one.
 std::optional<EdgePoint> find_edge(ImageView full, Point foot, Point outward, double search,
                                    double sign) {
   const double step = std::max(kStep, search / kMaxReach);
-  const int reach = static_cast<int>(std::ceil(search / step));
+  const int reach = std::min(kMaxReach, static_cast<int>(std::ceil(search / step)));
   std::array<double, 2 * (kMaxReach + kHalfDifference) + 1> gray;
   const int values = 2 * (reach + kHalfDifference) + 1;
   for (int i = 0; i < values; ++i) {
@@ -110,7 +113,9 @@ std::optional<EdgePoint> find_edge(ImageView full, Point foot, Point outward, do
     sum += change(i) - floor;
     moment += (change(i) - floor) * (i - reach) * step;
   }
-  return EdgePoint{0, moment / sum, peak};
+  const auto [darkest, brightest] = std::minmax_element(gray.begin(), gray.begin() + values);
+  const double contrast = *brightest - *darkest;
+  return EdgePoint{0, moment / sum, contrast * contrast * contrast * contrast};
 }
 
 /// Edge points of one side; how many places were looked at goes to `places`.
