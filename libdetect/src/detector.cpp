@@ -139,7 +139,7 @@ struct Detector::Impl {
   ThresholdScratch threshold_scratch;
   Image three_valued;
   SegmentScratch segment_scratch;
-  Labels labels;
+  Components components;
   ClusterScratch cluster_scratch;
   Clusters clusters;
   tbb::enumerable_thread_specific<Worker> workers;
@@ -221,13 +221,15 @@ ImageView Detector::Impl::find_clusters(ImageView full, DetectStats& stats, Debu
   if (debug) debug->threshold(three_valued);
   {
     const StageTimer timer(stats, Stage::Segment);
-    segment(three_valued, segment_scratch, labels);
+    segment(three_valued, segment_scratch, components);
   }
-  stats.components += static_cast<std::int64_t>(labels.size.size());
-  if (debug) debug->components(labels.label, labels.width, labels.height);
+  stats.components += static_cast<std::int64_t>(components.count());
+  if (debug) {
+    debug->components(component_of_each_pixel(components), components.width, components.height);
+  }
   {
     const StageTimer timer(stats, Stage::Cluster);
-    cluster(three_valued, labels, cluster_options, cluster_scratch, clusters, stats);
+    cluster(components, cluster_options, cluster_scratch, clusters, stats);
   }
   if (debug) show_clusters(clusters, *debug);
   return working;

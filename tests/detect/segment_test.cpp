@@ -14,34 +14,40 @@ namespace {
 using testing::ascii_image;
 using Rows = std::vector<std::string>;
 
-Labels run(ImageView image) {
+Components run(ImageView image) {
   SegmentScratch scratch;
-  Labels labels;
-  segment(image, scratch, labels);
-  return labels;
+  Components components;
+  segment(image, scratch, components);
+  return components;
 }
 
-/// Labels as letters, 'a' = 0; '-' = no component.
-Rows letters(const Labels& labels) {
-  Rows rows(labels.height);
-  for (int i = 0; i < labels.width * labels.height; ++i) {
-    const std::uint32_t label = labels.label[i];
-    rows[i / labels.width] += label == kNoComponent ? '-' : static_cast<char>('a' + label);
+/// Components as letters, 'a' = 0; '-' = none.
+Rows letters(const Components& components) {
+  Rows rows(components.height);
+  const std::vector<std::uint32_t> of_pixel = component_of_each_pixel(components);
+  for (int i = 0; i < components.width * components.height; ++i) {
+    const char letter = static_cast<char>('a' + of_pixel[i]);
+    rows[i / components.width] += of_pixel[i] == kNoComponent ? '-' : letter;
   }
   return rows;
 }
 
+struct Filled {
+  std::vector<std::uint32_t> of_pixel;
+  std::vector<std::uint32_t> size;
+};
+
 /// Components by flood fill from each pixel that has none yet.
-Labels flood_fill(const Image& image) {
-  Labels out{image.width(), image.height(), {}, {}};
-  out.label.assign(std::size_t(image.width()) * image.height(), kNoComponent);
+Filled flood_fill(const Image& image) {
+  Filled out;
+  out.of_pixel.assign(std::size_t(image.width()) * image.height(), kNoComponent);
   for (int start = 0; start < image.width() * image.height(); ++start) {
     const int value = image.at(start % image.width(), start / image.width());
-    if (value == kUnknown || out.label[start] != kNoComponent) continue;
+    if (value == kUnknown || out.of_pixel[start] != kNoComponent) continue;
     const auto label = static_cast<std::uint32_t>(out.size.size());
     out.size.push_back(0);
     std::vector<int> open{start};
-    out.label[start] = label;
+    out.of_pixel[start] = label;
     while (!open.empty()) {
       const int x = open.back() % image.width(), y = open.back() / image.width();
       open.pop_back();
@@ -51,7 +57,7 @@ Labels flood_fill(const Image& image) {
           const int u = x + dx, v = y + dy;
           if (u < 0 || v < 0 || u >= image.width() || v >= image.height()) continue;
           if (value == kBlack && dx != 0 && dy != 0) continue;
-          std::uint32_t& there = out.label[v * image.width() + u];
+          std::uint32_t& there = out.of_pixel[v * image.width() + u];
           if (image.at(u, v) != value || there != kNoComponent) continue;
           there = label;
           open.push_back(v * image.width() + u);
@@ -90,24 +96,24 @@ TEST(Segment, UnknownPixelsBelongToNoComponentAndPartOthers) {
 }
 
 TEST(Segment, SizesCountPixels) {
-  const Labels labels = run(ascii_image({"##..",  //
-                                         "#...",  //
-                                         "??.#"}));
-  EXPECT_EQ(labels.size, (std::vector<std::uint32_t>{3, 6, 1}));
+  const Components components = run(ascii_image({"##..",  //
+                                                 "#...",  //
+                                                 "??.#"}));
+  EXPECT_EQ(components.size, (std::vector<std::uint32_t>{3, 6, 1}));
 }
 
 TEST(Segment, ASpiralIsOneComponentForEachColour) {
-  const Labels labels = run(ascii_image({"#########",  //
-                                         "#.......#",  //
-                                         "#.#####.#",  //
-                                         "#.#...#.#",  //
-                                         "#.#.#.#.#",  //
-                                         "#.#.###.#",  //
-                                         "#.#.....#",  //
-                                         "#.#######",  //
-                                         "#........"}));
-  EXPECT_EQ(labels.size.size(), 2u);
-  EXPECT_EQ(labels.size[0] + labels.size[1], 81u);
+  const Components components = run(ascii_image({"#########",  //
+                                                 "#.......#",  //
+                                                 "#.#####.#",  //
+                                                 "#.#...#.#",  //
+                                                 "#.#.#.#.#",  //
+                                                 "#.#.###.#",  //
+                                                 "#.#.....#",  //
+                                                 "#.#######",  //
+                                                 "#........"}));
+  EXPECT_EQ(components.size.size(), 2u);
+  EXPECT_EQ(components.size[0] + components.size[1], 81u);
 }
 
 TEST(Segment, AgreesWithFloodFillOnRandomPicturesOfOddSizes) {
@@ -127,19 +133,21 @@ TEST(Segment, AgreesWithFloodFillOnRandomPicturesOfOddSizes) {
         image.at(x, y) = value;
       }
     }
-    const Labels fast = run(image), slow = flood_fill(image);
-    EXPECT_EQ(fast.label, slow.label) << width << " x " << height << ", round " << round;
+    const Components fast = run(image);
+    const Filled slow = flood_fill(image);
+    EXPECT_EQ(component_of_each_pixel(fast), slow.of_pixel)
+        << width << " x " << height << ", round " << round;
     EXPECT_EQ(fast.size, slow.size);
   }
 }
 
 TEST(Segment, BuffersOfALargerImageDoNotShowInASmallerOne) {
   SegmentScratch scratch;
-  Labels labels;
-  segment(Image(30, 30, kWhite), scratch, labels);
-  segment(ascii_image({"#.#"}), scratch, labels);
-  EXPECT_EQ(letters(labels), (Rows{"abc"}));
-  EXPECT_EQ(labels.size, (std::vector<std::uint32_t>{1, 1, 1}));
+  Components components;
+  segment(Image(30, 30, kWhite), scratch, components);
+  segment(ascii_image({"#.#"}), scratch, components);
+  EXPECT_EQ(letters(components), (Rows{"abc"}));
+  EXPECT_EQ(components.size, (std::vector<std::uint32_t>{1, 1, 1}));
 }
 
 }  // namespace

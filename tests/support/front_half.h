@@ -26,7 +26,7 @@ struct FrontHalf {
 
   detect::Image working_image;
   detect::Image three_valued;
-  detect::Labels labels;
+  detect::Components components;
   detect::Clusters clusters;
   detect::DetectStats stats;
 
@@ -37,8 +37,8 @@ struct FrontHalf {
     const ImageView working =
         detect::preprocess(full, preprocess, preprocess_scratch, working_image);
     detect::threshold(working, threshold, threshold_scratch, three_valued);
-    segment(three_valued, segment_scratch, labels);
-    detect::cluster(three_valued, labels, cluster, cluster_scratch, clusters, stats);
+    segment(three_valued, segment_scratch, components);
+    detect::cluster(components, cluster, cluster_scratch, clusters, stats);
     const WorkingScale scale{preprocess.decimate};
     std::vector<Quad> found;
     for (std::size_t i = 0; i < clusters.count(); ++i) {

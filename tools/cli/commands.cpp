@@ -5,6 +5,7 @@
 #include "cli/cmd_encode.h"
 #include "cli/cmd_families.h"
 #include "cli/cmd_generate.h"
+#include "cli/cmd_sheet.h"
 
 namespace tagmint::cli {
 
@@ -15,6 +16,7 @@ std::span<const Command> command_table() {
       families_command(),
       generate_command(),
       encode_command(),
+      sheet_command(),
   };
   // clang-format on
   return table;

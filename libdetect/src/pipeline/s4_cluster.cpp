@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cassert>
-#include <cstring>
 
 namespace tagmint::detect {
 namespace {
@@ -39,147 +37,128 @@ std::uint32_t cluster_of(std::uint64_t key, ClusterScratch& s) {
   return cluster;
 }
 
-/// One walk over the image; remembers the pair that it met last, because the next boundary point
-/// mostly belongs to the same one.
-class BoundaryScan {
+/// One walk over the runs; remembers the pair of components that it met last, because the next
+/// stretch often belongs to the same one.
+class BoundaryWalk {
  public:
-  BoundaryScan(ImageView image, const Labels& labels, const ClusterOptions& options,
-               ClusterScratch& scratch)
-      : image_(image),
-        labels_(labels),
+  BoundaryWalk(const Components& components, const ClusterOptions& options, ClusterScratch& scratch)
+      : components_(components),
         min_component_(static_cast<std::uint32_t>(std::max(options.min_component_pixels, 0))),
         scratch_(scratch) {}
 
   void run() {
-    for (int y = 0; y < image_.height; ++y) scan_row(y);
+    for (int y = 0; y < components_.height; ++y) {
+      const std::size_t begin = components_.row_begin[y], end = components_.row_begin[y + 1];
+      const std::size_t end_below = y + 1 < components_.height ? components_.row_begin[y + 2] : end;
+      walk_row(y, begin, end, end_below);
+    }
   }
 
  private:
-  /// The pixel pair (x, y), (x + dx, y + dy) is black and white: keeps its midpoint.
-  void add(int x, int y, int dx, int dy) {
-    const std::size_t here = std::size_t(y) * labels_.width + x;
-    const std::size_t there = std::size_t(y + dy) * labels_.width + x + dx;
-    const std::uint32_t label = labels_.label[here], other = labels_.label[there];
-    if (labels_.size[label] < min_component_ || labels_.size[other] < min_component_) return;
-    const bool black_here = image_.at(x, y) == kBlack;
-    const std::uint64_t key =
-        black_here ? std::uint64_t{label} << 32 | other : std::uint64_t{other} << 32 | label;
-    if (!has_last_ || key != last_key_) {
+  /// Runs [begin, end) of row y, and [end, end_below) of the row below; both in order of x.
+  void walk_row(int y, std::size_t begin, std::size_t end, std::size_t end_below) {
+    const std::vector<PixelRun>& runs = components_.runs;
+    std::size_t first = end;
+    for (std::size_t i = begin; i < end; ++i) {
+      const PixelRun& run = runs[i];
+      if (!large_enough(run)) continue;
+      if (i + 1 < end && runs[i + 1].begin == run.end) meet_beside(y, run, runs[i + 1]);
+      while (first < end_below && runs[first].end < run.begin) ++first;
+      for (std::size_t j = first; j < end_below && runs[j].begin <= run.end; ++j) {
+        if (runs[j].value != run.value && large_enough(runs[j])) meet_below(y, run, runs[j]);
+      }
+    }
+  }
+
+  bool large_enough(const PixelRun& run) const {
+    return components_.size[run.component] >= min_component_;
+  }
+
+  /// The last pixel of a run and the first of the next one, which then has the other colour.
+  void meet_beside(int y, const PixelRun& run, const PixelRun& next) {
+    if (!large_enough(next)) return;
+    add(cluster_of_pair(run, next), run, run.end - 1, run.end, y, 1, 0);
+  }
+
+  /// All pairs of a pixel of `run` and one of `lower` below it, below to the left or to the right:
+  /// the places where `run` and `lower`, moved by the step, overlap.
+  void meet_below(int y, const PixelRun& run, const PixelRun& lower) {
+    const std::uint32_t cluster = cluster_of_pair(run, lower);
+    for (int dx = -1; dx <= 1; ++dx) {
+      const int begin = std::max(run.begin, lower.begin - dx);
+      const int end = std::min(run.end, lower.end - dx);
+      if (begin < end) add(cluster, run, begin, end, y, dx, 1);
+    }
+  }
+
+  std::uint32_t cluster_of_pair(const PixelRun& a, const PixelRun& b) {
+    const PixelRun& black = a.value == kBlack ? a : b;
+    const PixelRun& white = a.value == kBlack ? b : a;
+    const std::uint64_t key = std::uint64_t{black.component} << 32 | white.component;
+    if (scratch_.keys.empty() || key != last_key_) {
       last_key_ = key;
       last_cluster_ = cluster_of(key, scratch_);
-      has_last_ = true;
     }
-    ++scratch_.counts[last_cluster_];
-    const int sign = black_here ? 1 : -1;
-    scratch_.pending.push_back({last_cluster_, 2 * x + 1 + dx, 2 * y + 1 + dy,
-                                static_cast<std::int16_t>(sign * dx),
-                                static_cast<std::int16_t>(sign * dy)});
+    return last_cluster_;
   }
 
-  /// All four neighbours of a pixel, as far as they are in the image.
-  void scan_pixel(int x, int y) {
-    const int value = image_.at(x, y);
-    const auto differs = [&](int dx, int dy) {
-      return x + dx >= 0 && x + dx < image_.width && y + dy < image_.height &&
-             value + image_.at(x + dx, y + dy) == kBlack + kWhite;
-    };
-    if (value == kUnknown) return;
-    if (differs(1, 0)) add(x, y, 1, 0);
-    if (differs(-1, 1)) add(x, y, -1, 1);
-    if (differs(0, 1)) add(x, y, 0, 1);
-    if (differs(1, 1)) add(x, y, 1, 1);
+  void add(std::uint32_t cluster, const PixelRun& run, int begin, int end, int y, int dx, int dy) {
+    scratch_.counts[cluster] += static_cast<std::size_t>(end - begin);
+    scratch_.stretches.push_back({cluster, begin, end, y, static_cast<std::int8_t>(dx),
+                                  static_cast<std::int8_t>(dy),
+                                  static_cast<std::int8_t>(run.value == kBlack ? 1 : -1)});
   }
 
-  /// Top bit of each byte set where one of a, b is black (00) and the other white (ff): only then
-  /// do both bit 7 and bit 0 of the byte differ, for unknown is 7f.
-  static constexpr std::uint64_t black_beside_white(std::uint64_t a, std::uint64_t b) {
-    const std::uint64_t difference = a ^ b;
-    return difference & (difference << 7) & 0x8080808080808080u;
-  }
-
-  static std::uint64_t load(const std::uint8_t* pixels) {
-    std::uint64_t word;
-    std::memcpy(&word, pixels, sizeof word);
-    return word;
-  }
-
-  /// The top bit of byte `i` as it lies in memory.
-  static constexpr std::uint64_t byte_bit(int i) {
-    return std::uint64_t{0x80} << 8 * (std::endian::native == std::endian::little ? i : 7 - i);
-  }
-
-  /// Eight pixels from x on, all of whose neighbours are in the image.
-  void scan_eight(int x, int y, const std::uint8_t* row, const std::uint8_t* next) {
-    const std::uint64_t pixels = load(row + x);
-    const std::uint64_t right = black_beside_white(pixels, load(row + x + 1));
-    const std::uint64_t below_left = black_beside_white(pixels, load(next + x - 1));
-    const std::uint64_t below = black_beside_white(pixels, load(next + x));
-    const std::uint64_t below_right = black_beside_white(pixels, load(next + x + 1));
-    const std::uint64_t any = right | below_left | below | below_right;
-    if (any == 0) return;
-    for (int i = 0; i < 8; ++i) {
-      const std::uint64_t bit = byte_bit(i);
-      if (!(any & bit)) continue;
-      if (right & bit) add(x + i, y, 1, 0);
-      if (below_left & bit) add(x + i, y, -1, 1);
-      if (below & bit) add(x + i, y, 0, 1);
-      if (below_right & bit) add(x + i, y, 1, 1);
-    }
-  }
-
-  void scan_row(int y) {
-    int x = 0;
-    if (y + 1 < image_.height) {
-      scan_pixel(x++, y);
-      const std::uint8_t* row = image_.row(y);
-      const std::uint8_t* next = image_.row(y + 1);
-      for (; x + 9 <= image_.width; x += 8) scan_eight(x, y, row, next);
-    }
-    for (; x < image_.width; ++x) scan_pixel(x, y);
-  }
-
-  ImageView image_;
-  const Labels& labels_;
+  const Components& components_;
   std::uint32_t min_component_;
   ClusterScratch& scratch_;
-  bool has_last_ = false;
   std::uint64_t last_key_ = 0;
   std::uint32_t last_cluster_ = 0;
 };
 
-/// Puts the points of each large enough cluster together: counting sort by cluster.
-void gather(const ClusterScratch& found, std::size_t min_points, std::vector<std::size_t>& targets,
-            Clusters& out) {
+/// Puts the points of each large enough cluster together: counting sort by cluster. Returns the
+/// number of all points, small clusters included.
+std::size_t gather(const ClusterScratch& found, std::size_t min_points,
+                   std::vector<std::size_t>& targets, Clusters& out) {
   targets.resize(found.counts.size());
   out.begin.assign(1, 0);
+  std::size_t all = 0;
   for (std::size_t c = 0; c < found.counts.size(); ++c) {
+    all += found.counts[c];
     if (found.counts[c] < min_points) continue;
     targets[c] = out.begin.back();
     out.begin.push_back(out.begin.back() + found.counts[c]);
   }
   out.points.resize(out.begin.back());
-  for (const PendingPoint& p : found.pending) {
-    if (found.counts[p.cluster] < min_points) continue;
-    out.points[targets[p.cluster]++] = {0.5f * static_cast<float>(p.twice_x),
-                                        0.5f * static_cast<float>(p.twice_y),
-                                        static_cast<float>(p.gx), static_cast<float>(p.gy)};
+  for (const BoundaryStretch& s : found.stretches) {
+    if (found.counts[s.cluster] < min_points) continue;
+    BoundaryPoint* point = out.points.data() + targets[s.cluster];
+    targets[s.cluster] += static_cast<std::size_t>(s.end - s.begin);
+    // Half-way between the centres (x, y) + 1/2 and (x + dx, y + dy) + 1/2.
+    const float middle_x = 0.5f * static_cast<float>(1 + s.dx);
+    const float middle_y = static_cast<float>(s.y) + 0.5f * static_cast<float>(1 + s.dy);
+    const auto gx = static_cast<float>(s.to_white * s.dx);
+    const auto gy = static_cast<float>(s.to_white * s.dy);
+    for (int x = s.begin; x < s.end; ++x) {
+      *point++ = {static_cast<float>(x) + middle_x, middle_y, gx, gy};
+    }
   }
+  return all;
 }
 
 }  // namespace
 
-void cluster(ImageView three_valued, const Labels& labels, const ClusterOptions& options,
-             ClusterScratch& scratch, Clusters& out, DetectStats& stats) {
-  assert(labels.width == std::max(three_valued.width, 0));
-  assert(labels.height == std::max(three_valued.height, 0));
+void cluster(const Components& components, const ClusterOptions& options, ClusterScratch& scratch,
+             Clusters& out, DetectStats& stats) {
   constexpr std::size_t kFirstSlots = 1024;
   scratch.table.slots.assign(std::max(scratch.table.slots.size(), kFirstSlots), {});
   scratch.keys.clear();
   scratch.counts.clear();
-  scratch.pending.clear();
-  if (!three_valued.empty()) BoundaryScan(three_valued, labels, options, scratch).run();
-  gather(scratch, static_cast<std::size_t>(std::max(options.min_points, 1)), scratch.targets, out);
-  stats.boundary_points += static_cast<std::int64_t>(scratch.pending.size());
+  scratch.stretches.clear();
+  BoundaryWalk(components, options, scratch).run();
+  const std::size_t points = gather(
+      scratch, static_cast<std::size_t>(std::max(options.min_points, 1)), scratch.targets, out);
+  stats.boundary_points += static_cast<std::int64_t>(points);
   stats.clusters += static_cast<std::int64_t>(out.count());
 }
 

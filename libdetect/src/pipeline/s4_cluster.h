@@ -6,7 +6,6 @@
 
 #include "pipeline/stage_types.h"
 #include "tagmint/detect/detect_stats.h"
-#include "tagmint/detect/image_view.h"
 
 namespace tagmint::detect {
 
@@ -25,13 +24,16 @@ constexpr int smallest_ring_pixels(double side_px) {
   return side_px <= 1 ? 1 : static_cast<int>(4 * (side_px - 1));
 }
 
-/// A boundary point before its cluster is complete; twice its coordinates are whole numbers.
-struct PendingPoint {
+/// Neighbouring pairs of pixels that all part the same two components: (x, y) and (x + dx, y + dy)
+/// for x in [begin, end).
+struct BoundaryStretch {
   std::uint32_t cluster = 0;
-  std::int32_t twice_x = 0;
-  std::int32_t twice_y = 0;
-  std::int16_t gx = 0;
-  std::int16_t gy = 0;
+  std::int32_t begin = 0;
+  std::int32_t end = 0;
+  std::int32_t y = 0;
+  std::int8_t dx = 0;
+  std::int8_t dy = 0;
+  std::int8_t to_white = 1;  ///< 1 when (x, y) is the black pixel of the pair, else -1
 };
 
 /// Open-addressing hash table from a pair of components to the number of their cluster.
@@ -47,20 +49,21 @@ struct PairTable {
 /// Buffers that cluster() keeps from one image to the next.
 struct ClusterScratch {
   PairTable table;
-  std::vector<std::uint64_t> keys;    ///< pair of components by cluster, in order of appearance
-  std::vector<std::size_t> counts;    ///< points by cluster
-  std::vector<std::size_t> targets;   ///< where the next point of each cluster goes
-  std::vector<PendingPoint> pending;  ///< all points in the order of the scan
+  std::vector<std::uint64_t> keys;         ///< pair of components by cluster, as first met
+  std::vector<std::size_t> counts;         ///< points by cluster
+  std::vector<std::size_t> targets;        ///< where the next point of each cluster goes
+  std::vector<BoundaryStretch> stretches;  ///< all boundary points, as met
 };
 
-/// Finds all boundary points and groups them. A pixel is compared with its neighbours right, below
-/// left, below and below right, so each pair of 8-neighbours is looked at once; where one is black
-/// and the other white, their midpoint is a boundary point of that pair of components.
-///   three_valued, labels   results of stages 2 and 3, same size
-///   out      clusters in the order of their first point, points in the order of the scan
+/// Finds all boundary points and groups them. Each pair of 8-neighbours is looked at once, as in
+/// Fig. 4: a pixel and those right, below left, below and below right of it. Where one is black and
+/// the other white, their midpoint is a boundary point of that pair of components. Pixels are not
+/// visited one by one: two runs that touch share one pair of components, and so one look-up.
+///   components   result of stage 3
+///   out      clusters in the order in which their first runs meet, row by row from left to right
 ///   stats    boundary_points and clusters are added to
-///   cost     O(pixels + boundary points); plain areas are passed over eight pixels at a time
-void cluster(ImageView three_valued, const Labels& labels, const ClusterOptions& options,
-             ClusterScratch& scratch, Clusters& out, DetectStats& stats);
+///   cost     O(runs + boundary points)
+void cluster(const Components& components, const ClusterOptions& options, ClusterScratch& scratch,
+             Clusters& out, DetectStats& stats);
 
 }  // namespace tagmint::detect

@@ -18,12 +18,24 @@ inline constexpr std::uint8_t kWhite = 255;
 /// Label of a pixel that belongs to no component.
 inline constexpr std::uint32_t kNoComponent = DebugSink::kNoComponent;
 
-/// Component of every working pixel and the size of every component.
-struct Labels {
+/// A horizontal stretch of pixels of one value, [begin, end) in its row.
+struct PixelRun {
+  std::int32_t begin = 0;
+  std::int32_t end = 0;
+  std::uint32_t component = 0;
+  std::uint8_t value = 0;  ///< kBlack or kWhite
+};
+
+/// The connected components of an image, as runs: rows of a picture have far fewer runs than
+/// pixels, and all pixels of a run share everything that later stages ask for.
+struct Components {
   int width = 0;
   int height = 0;
-  std::vector<std::uint32_t> label;  ///< row-major; kNoComponent for unknown pixels
-  std::vector<std::uint32_t> size;   ///< pixels in the component, indexed by label
+  std::vector<PixelRun> runs;          ///< black and white runs, row by row, by x; none is unknown
+  std::vector<std::size_t> row_begin;  ///< row y is runs[row_begin[y]] .. runs[row_begin[y + 1]]
+  std::vector<std::uint32_t> size;     ///< pixels in each component
+
+  std::size_t count() const { return size.size(); }
 };
 
 /// A point half-way between a black and a white pixel that are neighbours [WangOlson2016, Fig. 4].
