@@ -2,9 +2,11 @@
 
 #include <vector>
 
+#include "cli/cmd_detect.h"
 #include "cli/cmd_encode.h"
 #include "cli/cmd_families.h"
 #include "cli/cmd_generate.h"
+#include "cli/cmd_render.h"
 #include "cli/cmd_sheet.h"
 
 namespace tagmint::cli {
@@ -17,6 +19,8 @@ std::span<const Command> command_table() {
       generate_command(),
       encode_command(),
       sheet_command(),
+      render_command(),
+      detect_command(),
   };
   // clang-format on
   return table;

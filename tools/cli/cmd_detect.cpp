@@ -1,0 +1,135 @@
+#include "cli/cmd_detect.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include "cli/detect_plan.h"
+#include "cli/detect_run.h"
+#include "cli/options.h"
+#include "cli/output.h"
+#include "cli/progress.h"
+#include "cli/terminal.h"
+
+namespace tagmint::cli {
+namespace {
+
+/// Takes the results as they come: to stdout at once, to a file when all are there.
+class ResultWriter {
+ public:
+  ResultWriter(const DetectPlan& plan, std::string target)
+      : plan_(plan), target_(std::move(target)) {
+    if (!is_stdout(target_)) require_writable(target_);
+    if (plan_.format == "csv") put(io::csv_header(plan_.poses.has_value()));
+  }
+  void write(const io::ImageResult& result) {
+    put(plan_.format == "jsonl" ? format_jsonl(result)
+        : plan_.format == "csv" ? format_csv(result, plan_.poses.has_value())
+                                : format_text(result));
+  }
+  void finish() {
+    if (!is_stdout(target_)) write_output(target_, held_);
+  }
+
+ private:
+  void put(const std::string& text) {
+    if (is_stdout(target_)) {
+      if (!text.empty()) write_output(target_, text);
+    } else {
+      held_ += text;
+    }
+  }
+
+  const DetectPlan& plan_;
+  std::string target_;
+  std::string held_;
+};
+
+int run(const DetectArguments& arguments, const Common& common) {
+  const DetectPlan plan = plan_detection(arguments);
+  ResultWriter writer(plan, arguments.output);
+  Progress progress(common, "detect", "images");
+  detect::DetectStats stats;
+  std::size_t done = 0;
+  bool unreadable = false;
+  bool without_tags = false;
+  run_detection(plan, common.threads, [&](DetectOutcome&& outcome) {
+    progress.clear();
+    if (outcome.result.error) {
+      unreadable = true;
+      print_error(*outcome.result.error);
+    } else if (outcome.result.tags.empty()) {
+      without_tags = true;
+    }
+    writer.write(outcome.result);
+    stats += outcome.stats;
+    progress.update(static_cast<double>(++done), static_cast<double>(plan.tasks.size()));
+  });
+  progress.clear();
+  writer.finish();
+  if (arguments.stats) std::fputs(stats_text(stats).c_str(), stderr);
+  if (unreadable) return kBadInput;
+  return arguments.require && without_tags ? kAnswerIsNo : kDone;
+}
+
+void add_search_options(CLI::App& app, DetectArguments& arguments) {
+  app.add_option("--family", arguments.families, "family to look for; give it again for more")
+      ->required()
+      ->type_name("FAMILY")
+      ->allow_extra_args(false);
+  app.add_option("--ids", arguments.ids, "ids to look for, like 0-9,12,20-")
+      ->type_name("LIST")
+      ->default_str("all");
+  app.add_option("--decimate", arguments.detector.decimate, "look in an image X times smaller")
+      ->type_name("X");
+  app.add_option("--blur", arguments.detector.blur_sigma_px, "blur by S px; below 0: sharpen")
+      ->type_name("S");
+  app.add_option("--max-hamming", arguments.max_hamming, "bit errors to correct")
+      ->type_name("N")
+      ->check(CLI::NonNegativeNumber)
+      ->default_str("min(2, safe)");
+  app.add_flag("--unsafe-radius", arguments.unsafe_radius, "allow more than the safe radius");
+  app.add_flag("--no-refine", arguments.no_refine, "keep the edges as first found");
+}
+
+void add_output_options(CLI::App& app, DetectArguments& arguments) {
+  app.add_option("--camera", arguments.camera, "for poses: focal lengths, centre; px")
+      ->type_name("FX,FY,CX,CY");
+  app.add_option("--distortion", arguments.distortion, "lens distortion")
+      ->type_name("K1,K2,P1,P2,K3");
+  app.add_option("--edge", arguments.edge, "side of the border square, like 40mm")
+      ->type_name("LENGTH");
+  add_choice(app, "--format", arguments.format, {"text", "jsonl", "csv"}, "form of the results")
+      ->default_str("by -o, else text");
+  add_output(app, arguments.output);
+  app.add_option("--overlay", arguments.overlay,
+                 "draw the tags: a PNG; for several, {name}.png or a folder")
+      ->type_name("FILE");
+  app.add_option("--debug", arguments.debug, "write pictures of every step")->type_name("DIR");
+  app.add_flag("--require", arguments.require, "exit 1 when some image has no tag");
+  app.add_flag("--stats", arguments.stats, "counters and times on stderr");
+}
+
+Runner set_up(CLI::App& app, const Common& common) {
+  auto arguments = std::make_shared<DetectArguments>();
+  app.add_option("IMAGE", arguments->images, "PNG, JPEG, PNM or TIFF; - is stdin")->required();
+  add_search_options(app, *arguments);
+  add_output_options(app, *arguments);
+  return [arguments, &common] { return run(*arguments, common); };
+}
+
+}  // namespace
+
+Command detect_command() {
+  return {.name = "detect",
+          .summary = "find tags in images",
+          .examples = {"tagmint detect --family tag36h11 photo.jpg --overlay found.png",
+                       "tagmint detect --family tag36h11 --camera 600,600,320,240 --edge 40mm "
+                       "--format jsonl *.png"},
+          .set_up = set_up};
+}
+
+}  // namespace tagmint::cli

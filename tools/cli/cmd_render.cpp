@@ -1,0 +1,135 @@
+#include "cli/cmd_render.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+
+#include "cli/length.h"
+#include "cli/options.h"
+#include "cli/output.h"
+#include "cli/render_plan.h"
+#include "cli/terminal.h"
+#include "io/images.h"
+#include "scene/render.h"
+#include "scene/scene_file.h"
+
+namespace tagmint::cli {
+namespace {
+
+int run(const RenderArguments& arguments, const Common& common) {
+  const std::vector<std::string> formats = {"png", "pgm", "pnm"};
+  const std::string format = choose_format(arguments.format, arguments.output, formats, "png");
+  if (is_stdout(arguments.output) && is_stdout(arguments.truth) && !arguments.truth.empty()) {
+    throw UsageError("image and truth cannot both go to stdout", "--truth", "give one a file");
+  }
+  if (!is_stdout(arguments.output)) require_writable(arguments.output);
+  if (!is_stdout(arguments.truth)) require_writable(arguments.truth);
+  const scene::Scene scene = plan_scene(arguments);
+  const scene::Rendering rendering = scene::render(scene, common.threads);
+  const detect::ImageView image = rendering.image.view();
+  write_output(arguments.output, format == "png" ? io::encode_png(image) : io::encode_pnm(image));
+  if (!arguments.truth.empty()) {
+    write_output(arguments.truth, scene::format_truth(scene, rendering.truth));
+  }
+  say(common, fmt::format("{} x {} px, {} tag{}", scene.width, scene.height, scene.tags.size(),
+                          scene.tags.size() == 1 ? "" : "s"));
+  return kDone;
+}
+
+/// Options of random scenes; plan_scene() refuses those that were given beside a scene file.
+void add_random_options(CLI::App& app, RenderArguments& arguments) {
+  const std::string group = "Random scenes";
+  scene::RandomSceneOptions& random = arguments.random;
+  app.add_option("--ids", arguments.ids, "ids to show")
+      ->type_name("LIST")
+      ->default_str("any")
+      ->group(group);
+  app.add_option("--count", arguments.count, "number of tags")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1'000'000))
+      ->default_str(fmt::format("{}, or all --ids", kDefaultCount))
+      ->group(group);
+  app.add_option("--size", arguments.size, "image size, px")->type_name("WxH")->group(group);
+  app.add_option("--min-side", random.min_side_px, "smallest border square, px")
+      ->type_name("PX")
+      ->group(group);
+  app.add_option("--max-side", random.max_side_px, "largest border square, px")
+      ->type_name("PX")
+      ->group(group);
+  app.add_option("--max-tilt", random.max_tilt_deg, "largest tilt, degrees")
+      ->type_name("DEG")
+      ->group(group);
+  app.add_option_function<std::string>(
+         "--edge",
+         [&random](const std::string& text) {
+           random.edge_m = parse_length_mm(text, "--edge") / 1000;
+         },
+         "side of the border squares in space")
+      ->type_name("LENGTH")
+      ->default_str("100mm")
+      ->group(group);
+  app.add_option("--quiet-zone", random.quiet_zone_cells, "white cells around each tag")
+      ->type_name("N")
+      ->group(group);
+  app.add_option("--background", arguments.background,
+                 "gray:LEVEL, gradient:FROM,TO, texture[:GRAY,AMPLITUDE] or a picture")
+      ->type_name("WHAT")
+      ->group(group);
+  app.add_option("--noise", random.effects.noise_sigma, "sigma of the noise, gray levels")
+      ->type_name("S")
+      ->group(group);
+  app.add_option("--blur", random.effects.blur_sigma_px, "sigma of the blur, px")
+      ->type_name("PX")
+      ->group(group);
+  app.add_option("--shading", random.effects.shading.strength, "share of the light that is lost")
+      ->type_name("0..1")
+      ->group(group);
+  app.add_option("--seed", random.seed, "another seed, another scene")
+      ->type_name("N")
+      ->group(group);
+}
+
+std::vector<std::string> given_random_options(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) {
+    if (option->get_group() == "Random scenes" && option->count() > 0) {
+      names.push_back(option->get_name());
+    }
+  }
+  return names;
+}
+
+Runner set_up(CLI::App& app, const Common& common) {
+  auto arguments = std::make_shared<RenderArguments>();
+  arguments->random.effects = {.black = 30,
+                               .white = 220,
+                               .shading = {.strength = 0.2, .angle_deg = 30},
+                               .blur_sigma_px = 0.7,
+                               .noise_sigma = 2};
+  app.add_option("INPUT", arguments->inputs, "a scene file, or families for a random scene")
+      ->required();
+  add_output(app, arguments->output, "PNG or PGM image, by its extension")->required();
+  add_choice(app, "--format", arguments->format, {"png", "pgm"}, "form of the image")
+      ->default_str("by -o");
+  app.add_option("--truth", arguments->truth, "write the true corners and poses")
+      ->type_name("FILE.json");
+  add_random_options(app, *arguments);
+  return [arguments, &app, &common] {
+    arguments->random_options = given_random_options(app);
+    return run(*arguments, common);
+  };
+}
+
+}  // namespace
+
+Command render_command() {
+  return {.name = "render",
+          .summary = "draw synthetic camera images with ground truth",
+          .examples = {"tagmint render scene.json -o scene.png --truth truth.json",
+                       "tagmint render tag36h11 --count 12 --max-tilt 60 --noise 5 -o random.png"},
+          .set_up = set_up};
+}
+
+}  // namespace tagmint::cli
