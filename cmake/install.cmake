@@ -12,7 +12,7 @@ install(FILES ${PROJECT_BINARY_DIR}/tagmintConfig.cmake
               ${PROJECT_BINARY_DIR}/tagmintConfigVersion.cmake
         DESTINATION ${tagmint_cmake_dir})
 install(DIRECTORY families/ DESTINATION ${CMAKE_INSTALL_DATADIR}/tagmint/families
-        FILES_MATCHING PATTERN "*.json")
+        FILES_MATCHING PATTERN "*.json" PATTERN extract EXCLUDE)
 if(TAGMINT_BUILD_TOOLS)
   install(TARGETS tagmint)
 endif()

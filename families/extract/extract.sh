@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
 # Writes families/*.json anew from the libapriltag that is installed (Debian: libapriltag-dev 3.3).
 # Usage: families/extract/extract.sh [FOLDER]     FOLDER: where to write; default families/
-# `git diff --exit-code families` afterwards shows whether anything differs.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/../.." && pwd)
 folder=${1:-$root/families}

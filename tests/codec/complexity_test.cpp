@@ -136,7 +136,7 @@ TEST(Rectangles, EqualThePainterAsItIsDescribed) {
   std::mt19937_64 random(9);
   for (const char* name : {"classic:8", "classic:9", "circle:9"}) {
     const Layout layout = parse_layout(name);
-    for (int i = 0; i < 20; ++i) {
+    for (int i = 0; i < 5; ++i) {
       const Codeword word = random() & low_mask(layout.bits());
       EXPECT_EQ(count_rectangles(layout, word), rectangles_as_described(layout, word)) << name;
     }
@@ -165,7 +165,7 @@ TEST(ColourChanges, AreThoseOfThePicture) {
        {"classic:8", "classic:9", "circle:9", "standard:9", "circle:11", "standard:10",
         "classic:12", "custom:xxddxx/xbbbbx/dbwwbd/dbwwbd/xbbbbx/xxddxx"}) {
     const Layout layout = parse_layout(text);
-    for (int i = 0; i < 200; ++i) {
+    for (int i = 0; i < 50; ++i) {
       const Codeword word = random() & low_mask(layout.bits());
       EXPECT_EQ(count_colour_changes(layout, word), changes_in_picture(tag_cells(layout, word)))
           << text;
