@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -21,6 +22,19 @@ std::string searched_text(const LexicodeResult& result, int bits) {
                      100 * share);
 }
 
+/// Whether so many words are to be visited that a walk through all of them would take longer than
+/// finding out which of them matter.
+bool tree_pays(const LexicodeOptions& options) {
+  constexpr double kLeastWords = 1 << 28;  // about two seconds of the plain search
+  const int bits = options.layout.bits();
+  if (!tree_search_possible(bits)) return false;
+  const double all = std::ldexp(1.0, bits);
+  const double wanted =
+      options.limit_words ? std::min(static_cast<double>(*options.limit_words), all) : all;
+  // The tree goes through the whole space, at a few hundredths of the walk's time for a word.
+  return wanted >= kLeastWords && wanted >= all / 64;
+}
+
 }  // namespace
 
 LexicodeResult search_plain(const LexicodeOptions& options) {
@@ -30,7 +44,9 @@ LexicodeResult search_plain(const LexicodeOptions& options) {
   return scan.result(*end);
 }
 
-LexicodeResult search_lexicode(const LexicodeOptions& options) { return search_plain(options); }
+LexicodeResult search_lexicode(const LexicodeOptions& options) {
+  return tree_pays(options) ? search_by_tree(options) : search_plain(options);
+}
 
 Family make_family(const LexicodeOptions& options, const LexicodeResult& result, std::string name) {
   if (result.codewords.empty()) {

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "search/leaf_paint.h"
+#include "search/near_list.h"
+#include "search/tree_order.h"
+#include "tagmint/codec/codeword.h"
+
+namespace tagmint::codec {
+
+/// Lists the *open* words of parts of the space: those that are farther than `radius` from every
+/// turn of a given set of codes. One tag's four turns are listed as one word (TreeOrder).
+///
+/// The tree decides the bits of a word from the top, one orbit a level. Each node keeps the code
+/// turns that may still exclude words below it, with the radius that is left of them. They are kept
+/// in tiers by that radius:
+///
+///     tier 0    radius >= p     large balls: narrowed down to the leaves and painted there
+///     tier 1    radius == p-1   asked, one after the other, only about
+///      ...        ...           the few words that painting left open,
+///     tier p    radius == 0     and made only where there are such words
+///
+/// A node two steps above the leaves' lowest level, the *twig*, has 16 leaves of 4096 words.
+///
+/// Holds the lists of one thread: at most (codes * 4) entries for each tier of three levels.
+class OpenWordTree {
+ public:
+  /// All share `order`, `painter` and `turns`, which must outlive the object.
+  ///   turns          the four turns of all codes, as tree words
+  ///   radius         least distance - 1, >= 0
+  ///   paint_radius   p above, 0..radius; a matter of speed alone
+  OpenWordTree(const TreeOrder& order, const LeafPainter& painter, std::span<const Codeword> turns,
+               int radius, int paint_radius);
+
+  /// Number of subtrees that the space is cut into; those that hold no representative are empty.
+  static std::uint64_t subtree_count(const TreeOrder& order);
+
+  /// Appends the open words of one subtree, as tree words, to `open`. Words of which a block equals
+  /// its partner may come in two turns.
+  ///   subtree   0 .. subtree_count() - 1
+  ///   cost      some hundred nanoseconds a leaf, 2^bits / 2^14 leaves in all
+  void list_subtree(std::uint64_t subtree, std::vector<Codeword>& open);
+
+ private:
+  /// Levels of the tree below a subtree's root; 12 + 4 * 3 bits are what an entry holds.
+  static constexpr int kMostLevels = 3;
+
+  /// The lists of the node that the walk through the tree is at, on one level.
+  struct Node {
+    std::vector<NearList> tiers;
+    int made = 0;         // tiers 0 .. made - 1 are up to date
+    unsigned nibble = 0;  // the bits of the orbit that lead to this node from the one above
+  };
+
+  static int subtree_levels(const TreeOrder& order);
+  void make_root(Codeword prefix);
+  void descend(int level, Codeword prefix, TreeOrder::Ties ties, std::vector<Codeword>& open);
+  void list_twig(Codeword prefix, TreeOrder::Ties ties, std::vector<Codeword>& open);
+  void collect_unpainted(unsigned nibble, const LeafBits& leaf);
+  const NearList& tier(int level, int tier);
+  int least_radius(int tier) const { return tier == 0 ? paint_radius_ : paint_radius_ - tier; }
+  int most_radius(int tier) const { return tier == 0 ? kMaxBits : paint_radius_ - tier; }
+
+  const TreeOrder& order_;
+  const LeafPainter& painter_;
+  std::span<const Codeword> turns_;
+  int radius_;
+  int paint_radius_;
+  std::array<Node, kMostLevels + 1> nodes_;  // [level]: orbits still to decide above the leaves
+  NearList leaf_list_;
+  std::vector<std::uint32_t> unpainted_;  // 16-bit words below the twig
+};
+
+}  // namespace tagmint::codec
