@@ -14,6 +14,7 @@ DetectStats& DetectStats::operator+=(const DetectStats& other) {
   boundary_points += other.boundary_points;
   clusters += other.clusters;
   clusters_too_large += other.clusters_too_large;
+  clusters_open += other.clusters_open;
   clusters_too_small += other.clusters_too_small;
   wrong_border_colour += other.wrong_border_colour;
   no_corners += other.no_corners;

@@ -214,6 +214,27 @@ TEST(FitQuads, ARaggedContourIsRefusedBeforeItIsSorted) {
   EXPECT_GE(front.stats.clusters_too_large, 1);
 }
 
+TEST(FitQuads, ABoundaryThatDoesNotCloseIsRefusedBeforeItIsSorted) {
+  // Black left of a slanted line across the whole image.
+  Image image(80, 80, kPaper);
+  paint_polygon(image, std::vector<Point>{{0, 0}, {30, 0}, {50, 80}, {0, 80}}, kInk);
+  FrontHalf front;
+  EXPECT_TRUE(front.quads(image).empty());
+  EXPECT_EQ(front.stats.clusters_open, 1);
+}
+
+TEST(FitQuads, AnOpenRingIsRefusedBecauseItDoesNotFillItsQuad) {
+  // Outer and inner side of the ring are one contour, 3 px to both sides of a square that fits.
+  Image image(80, 80, kPaper);
+  paint_polygon(image, square_corners({40, 40}, 48), kInk);
+  paint_polygon(image, square_corners({40, 40}, 36), kPaper);
+  paint_polygon(image, std::vector<Point>{{38, 10}, {42, 10}, {42, 30}, {38, 30}}, kPaper);
+  FrontHalf front;
+  front.quad.max_line_fit_mse_px2 = 100;
+  EXPECT_TRUE(front.quads(image).empty());
+  EXPECT_EQ(front.stats.bad_shape, 1);
+}
+
 TEST(FitQuads, ASquareCutByTheImageBorderNeitherCrashesNorCounts) {
   FrontHalf front;
   for (const Point center : {Point{2, 50}, Point{99, 97}, Point{50, -5}}) {
@@ -257,8 +278,9 @@ TEST(FitQuads, EveryClusterIsCountedOnce) {
   front.quads(image);
   const DetectStats& s = front.stats;
   EXPECT_GT(s.clusters, 0);
-  EXPECT_EQ(s.clusters, s.clusters_too_large + s.clusters_too_small + s.wrong_border_colour +
-                            s.no_corners + s.bad_fit + s.bad_shape + s.quads);
+  EXPECT_EQ(s.clusters, s.clusters_too_large + s.clusters_open + s.clusters_too_small +
+                            s.wrong_border_colour + s.no_corners + s.bad_fit + s.bad_shape +
+                            s.quads);
 }
 
 TEST(FitQuads, NoiseOfAnySizePassesThroughAllStages) {

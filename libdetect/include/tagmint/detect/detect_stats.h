@@ -25,13 +25,14 @@ struct DetectStats {
   std::int64_t components = 0;  ///< black and white components
   std::int64_t boundary_points = 0;
   std::int64_t clusters = 0;            ///< boundaries that were large enough to look at
-  std::int64_t clusters_too_large = 0;  ///< more points than any quad in the image could have
+  std::int64_t clusters_too_large = 0;  ///< more points than any quad in their box could have
+  std::int64_t clusters_open = 0;       ///< too few points to go round their box
   std::int64_t clusters_too_small = 0;  ///< bounding box too small or too thin
   std::int64_t wrong_border_colour =
       0;                           ///< black inside white where no family wants it, or the reverse
   std::int64_t no_corners = 0;     ///< fewer than four peaks of the line-fit error
   std::int64_t bad_fit = 0;        ///< no four corners with straight sides
-  std::int64_t bad_shape = 0;      ///< size, angles or winding not those of a tag
+  std::int64_t bad_shape = 0;      ///< size, angles, winding or filling not those of a tag
   std::int64_t quads = 0;          ///< candidates that went on to decoding
   std::int64_t outside_image = 0;  ///< data cells, or most of the border ring, not in the picture
   std::int64_t no_contrast = 0;    ///< border not darker (or lighter) than its surroundings
