@@ -22,7 +22,7 @@ struct Match {
 
 /// How a decoder looks words up. All give the same answers.
 enum class DecoderEngine {
-  Auto,        ///< the fastest one whose tables fit in kMaxTableBytes
+  Auto,        ///< Hash while max_errors <= 2 and its table fits in kMaxTableBytes, else Chunks
   BruteForce,  ///< compare with every codeword: the reference, no tables
   Hash,  ///< all words within max_errors (at most 2) of a codeword in a hash table [WangOlson2016,
          ///< III-E]
