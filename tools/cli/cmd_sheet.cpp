@@ -79,16 +79,24 @@ draw::SheetOptions page_layout(const Options& options, const draw::SheetDecor& d
           .footer_mm = draw::footer_height_mm(decor, groups.size())};
 }
 
+std::string counted(std::size_t count, const char* word) {
+  return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
+}
+
+/// "tag36h11: 12 tags, edge 40 mm, outer 50 mm"
+std::string describe(const draw::TagGroup& group) {
+  return fmt::format("{}: {}, edge {}, outer {}", group.family->name(),
+                     counted(group.ids.size(), "tag"), draw::format_mm(group.edge_mm),
+                     draw::format_mm(draw::outer_of_edge(group.family->layout(), group.edge_mm)));
+}
+
 /// One line a group: what a person needs to set up a detector, and to see what fits.
 void report(const draw::SheetPlan& plan, const std::string& what) {
-  fmt::print(stderr, "{}: {} tags on {} pages of {} x {}\n", what, plan.tag_count(),
-             plan.pages.size(), draw::format_mm(plan.options.page_width_mm),
+  fmt::print(stderr, "{}: {} on {} of {} x {}\n", what, counted(plan.tag_count(), "tag"),
+             counted(plan.pages.size(), "page"), draw::format_mm(plan.options.page_width_mm),
              draw::format_mm(plan.options.page_height_mm));
   for (std::size_t i = 0; i < plan.groups.size(); ++i) {
-    const draw::TagGroup& group = plan.groups[i];
-    fmt::print(stderr, "  {}: {} tags, edge {}, outer {}, up to {} columns x {} rows a page\n",
-               group.family->name(), group.ids.size(), draw::format_mm(group.edge_mm),
-               draw::format_mm(draw::outer_of_edge(group.family->layout(), group.edge_mm)),
+    fmt::print(stderr, "  {}; a page takes {} x {}\n", describe(plan.groups[i]),
                plan.grids[i].columns, plan.grids[i].rows);
   }
 }
@@ -106,12 +114,8 @@ int run_file_a_tag(const Options& options, const SheetTarget& target, draw::Shee
   page.label_mm = draw::label_height_mm(decor, groups);
   const std::size_t files = target.write_tags(groups, page, decor, options.dpi, common);
   if (common.quiet) return kDone;
-  fmt::print(stderr, "{}: {} files of one tag each\n", target.pattern(), files);
-  for (const draw::TagGroup& group : groups) {
-    fmt::print(stderr, "  {}: {} tags, edge {}, outer {}\n", group.family->name(), group.ids.size(),
-               draw::format_mm(group.edge_mm),
-               draw::format_mm(draw::outer_of_edge(group.family->layout(), group.edge_mm)));
-  }
+  fmt::print(stderr, "{}: {} of one tag each\n", target.pattern(), counted(files, "file"));
+  for (const draw::TagGroup& group : groups) fmt::print(stderr, "  {}\n", describe(group));
   return kDone;
 }
 
@@ -142,35 +146,45 @@ int run(const Options& options, const Common& common) try {
 Runner set_up(CLI::App& app, const Common& common) {
   auto options = std::make_shared<Options>();
   Options& o = *options;
+  const auto length = [&app](const char* name, std::string& value, const char* description) {
+    return app.add_option(name, value, description)->type_name("LEN");
+  };
   app.add_option("FAMILY[:EDGE[:IDS]]", o.tags,
                  "bundled family or family file, with its own edge and ids, like tag36h11:40mm:0-9")
       ->required();
-  app.add_option("--ids", o.ids, "ids of families that give none, like 0-9,12,20-; default all");
-  auto* edge = app.add_option("--edge", o.edge, "side of the border square (what pose calls size)");
-  app.add_option("--outer", o.outer, "side of the whole tag")->excludes(edge);
+  app.add_option("--ids", o.ids, "ids of families that give none, like 0-9,12,20-; default all")
+      ->type_name("LIST");
+  auto* edge = length("--edge", o.edge, "side of the border square (what pose calls size)");
+  length("--outer", o.outer, "side of the whole tag")->excludes(edge);
   std::vector<CLI::Option*> page_only = {
-      app.add_option("--paper", o.paper, "a0..a6, letter, legal or WxHmm")->capture_default_str(),
-      app.add_flag("--landscape", o.landscape, "turn the paper")};
-  app.add_option("--margin", o.margin, "left free on all sides of the page")
-      ->default_str(kDefaultMargin);
-  page_only.push_back(app.add_option("--gap", o.gap, "between tags")->capture_default_str());
+      app.add_option("--paper", o.paper, "a0..a6, letter, legal or WxHmm")
+          ->type_name("P")
+          ->capture_default_str(),
+      app.add_flag("--landscape", o.landscape, "turn the paper"),
+      length("--gap", o.gap, "between tags")->capture_default_str()};
+  length("--margin", o.margin, "left free on all sides of the page")->default_str(kDefaultMargin);
   for (const auto& [name, count] : {std::pair{"--columns", &o.columns}, {"--rows", &o.rows}}) {
     page_only.push_back(app.add_option(name, *count, "of a page; default as many as fit")
                             ->check(CLI::Range(1, 100000))
-                            ->type_name("N"));
+                            ->type_name("N")
+                            ->default_str(""));
   }
   app.add_option("--label", o.label,
                  "text below tags: {family} {id} {id:05} {edge} {outer}, or none")
+      ->type_name("FORMAT")
       ->default_str(kDefaultLabel);
   page_only.push_back(app.add_flag("--cut-marks", o.cut_marks, "mark where to cut, in the gaps"));
   page_only.push_back(app.add_flag("--ruler", o.ruler, "print a ruler to check the size with"));
-  page_only.push_back(app.add_option("--title", o.title, "printed on top of every page"));
+  page_only.push_back(
+      app.add_option("--title", o.title, "on top of every page")->type_name("TEXT"));
   app.add_option("--dpi", o.dpi, "pixels per inch of PNG files")
       ->check(CLI::Range(1.0, 100000.0))
       ->type_name("N")
       ->capture_default_str();
   add_choice(app, "--format", o.format, {"pdf", "svg", "png"}, "default: by the extension of -o");
-  add_output(app, o.output, "file; {page} in its name: one a page, {id}: one a tag")->required();
+  add_output(app, o.output, "FILE; {page} in its name: one a page, {id}: one a tag")
+      ->required()
+      ->default_str("");
   return [options, page_only, &common] {
     for (const CLI::Option* option : page_only) {
       if (option->count() > 0) options->page_options.push_back(option->get_name());

@@ -64,11 +64,16 @@ void draw_title(cairo_t* context, const Box& area, const std::string& title) {
             {.size_mm = kTitleSizeMm, .gray = kLabelGray, .align = TextAlign::Centre});
 }
 
+std::set<std::size_t> groups_on(const SheetPage& page) {
+  std::set<std::size_t> groups;
+  for (const PlacedTag& tag : page.tags) groups.insert(tag.group);
+  return groups;
+}
+
 /// One line for each kind of tag on the page, and on the right how to print and the page's number.
 void draw_notes(cairo_t* context, const SheetPlan& plan, std::size_t page) {
   const Box area = plan.area();
-  std::set<std::size_t> shown;
-  for (const PlacedTag& tag : plan.pages[page].tags) shown.insert(tag.group);
+  const std::set<std::size_t> shown = groups_on(plan.pages[page]);
   double baseline = area.bottom_mm() - kNoteLineMm * (static_cast<double>(shown.size()) - 1) - 0.8;
   const TextStyle left{.size_mm = kNoteSizeMm, .gray = kNoteGray, .align = TextAlign::Left};
   const TextStyle right{.size_mm = kNoteSizeMm, .gray = kNoteGray, .align = TextAlign::Right};
@@ -97,9 +102,10 @@ void draw_page(cairo_t* context, const SheetPlan& plan, std::size_t page, const 
     if (decor.cut_marks) draw_cut_marks(context, tag.slot, plan.options.gap_mm);
   }
   if (decor.ruler) {
-    const double notes = footer_height_mm(decor, plan.groups.size()) - kNoteGapMm - kRulerHeightMm;
-    draw_ruler(context, area.x_mm, area.bottom_mm() - notes - kRulerHeightMm, area.width_mm,
-               kNoteGray);
+    const double lines =
+        decor.notes ? static_cast<double>(groups_on(plan.pages[page]).size()) : 0.0;
+    draw_ruler(context, area.x_mm, area.bottom_mm() - lines * kNoteLineMm - kRulerHeightMm,
+               area.width_mm, kNoteGray);
   }
   if (decor.notes) draw_notes(context, plan, page);
 }
