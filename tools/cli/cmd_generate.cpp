@@ -216,8 +216,8 @@ int run(const Options& options, const Common& common) {
 
 Runner set_up(CLI::App& app, const Common& common) {
   app.description(
-      "Searches a family of tags that are H bits apart in every rotation, and writes its file. The "
-      "result does not depend on the number of threads.");
+      "The tags are H bits apart in every rotation. What is found does not depend on the number of "
+      "threads.");
   auto options = std::make_shared<Options>();
   app.add_option("--layout", options->layout, "classic:W, standard:W, circle:W or custom:ROWS")
       ->required()
@@ -228,7 +228,8 @@ Runner set_up(CLI::App& app, const Common& common) {
       ->type_name("H")
       ->default_str("")
       ->check(CLI::Range(1, codec::kMaxBits));
-  add_choice(app, "--method", options->method, {"lexicode", "rotation-code"}, "how to search");
+  add_choice(app, "--method", options->method, {"lexicode", "rotation-code"}, "how to search")
+      ->type_name("lexicode");  // rotation-code is refused below
   app.add_option("--complexity", options->complexity, "keep plain patterns out")
       ->type_name("rectangles:N|energy:F|none")
       ->default_str("classic: as published; else energy:0.3333");

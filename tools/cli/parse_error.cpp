@@ -32,6 +32,18 @@ std::pair<std::string, std::string> split_name(const std::string& text) {
   return {text.substr(0, colon), text.substr(colon + 2)};
 }
 
+/// "Value 65 not in range 1 to 64", as CLI::Range says it, becomes "'65' is not a number from 1 to
+/// 64"; other complaints stay.
+std::string in_our_words(const std::string& complaint) {
+  constexpr std::string_view kBegin = "Value ";
+  constexpr std::string_view kMiddle = " not in range ";
+  const std::size_t middle = complaint.find(kMiddle);
+  if (!complaint.starts_with(kBegin) || middle == std::string::npos) return complaint;
+  return fmt::format("'{}' is not a number from {}",
+                     complaint.substr(kBegin.size(), middle - kBegin.size()),
+                     complaint.substr(middle + kMiddle.size()));
+}
+
 }  // namespace
 
 void throw_if_unknown_option(const CLI::App& app, std::string_view command) {
@@ -63,7 +75,12 @@ UsageError usage_error(const CLI::ParseError& error, std::string_view command) {
     }
   }
   const auto [name, fault] = split_name(text);
-  return UsageError(fault, name, see_help(command));
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
+    const bool missing = fault.ends_with("missing");  // "1 required LAYOUT missing"
+    return UsageError(missing ? "the value is missing" : "given too often", name,
+                      see_help(command));
+  }
+  return UsageError(in_our_words(fault), name, see_help(command));
 }
 
 }  // namespace tagmint::cli
