@@ -111,4 +111,12 @@ std::optional<Match> Decoder::decode(Codeword observed) const {
 
 std::size_t Decoder::table_bytes() const { return lookup_->table_bytes(); }
 
+std::size_t Decoder::hash_table_bytes(const Family& family, int max_errors) {
+  if (max_errors < 0 || max_errors > kMostHashErrors) {
+    throw std::invalid_argument(fmt::format("a hash table corrects 0 to {} bit errors, not {}",
+                                            kMostHashErrors, max_errors));
+  }
+  return codec::hash_table_bytes(family.size(), family.bits(), max_errors);
+}
+
 }  // namespace tagmint::codec

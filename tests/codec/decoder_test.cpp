@@ -242,6 +242,8 @@ TEST(Decoder, ChoosesTheHashWhileItsTableIsSmall) {
   const Decoder small(find_family("tag36h11"));
   EXPECT_EQ(small.engine(), DecoderEngine::Hash);
   EXPECT_EQ(small.table_bytes(), 587u * 667 * 2 * 2);
+  EXPECT_EQ(Decoder::hash_table_bytes(*small.family(), 2), small.table_bytes());
+  EXPECT_THROW(Decoder::hash_table_bytes(*small.family(), 3), std::invalid_argument);
   EXPECT_EQ(Decoder(find_family("tag36h11"), with(DecoderEngine::Auto, 3)).engine(),
             DecoderEngine::Chunks);
   const Decoder large(find_family("tagStandard52h13"));

@@ -2,10 +2,13 @@
 
 #include <vector>
 
+#include "cli/cmd_check.h"
+#include "cli/cmd_decode.h"
 #include "cli/cmd_detect.h"
 #include "cli/cmd_encode.h"
 #include "cli/cmd_families.h"
 #include "cli/cmd_generate.h"
+#include "cli/cmd_info.h"
 #include "cli/cmd_render.h"
 #include "cli/cmd_sheet.h"
 
@@ -17,7 +20,10 @@ std::span<const Command> command_table() {
   static const std::vector<Command> table = {
       families_command(),
       generate_command(),
+      info_command(),
+      check_command(),
       encode_command(),
+      decode_command(),
       sheet_command(),
       render_command(),
       detect_command(),

@@ -28,16 +28,24 @@ std::map<double, std::size_t> complexity_histogram(const codec::Family& family) 
   return histogram;
 }
 
+constexpr int kMostHashErrors = 2;
+
+std::size_t chunk_bytes(const codec::SharedFamily& family, int max_errors) {
+  codec::DecoderOptions options;
+  options.max_errors = max_errors;
+  options.engine = DecoderEngine::Chunks;
+  return codec::Decoder(family, options).table_bytes();
+}
+
+/// The hash tables are reckoned, not built: those of a large family would fill the memory.
 std::vector<LookupMemory> lookup_memory(const codec::SharedFamily& family) {
   std::vector<LookupMemory> all;
   for (int radius = 0; radius <= family->max_safe_errors(); ++radius) {
-    for (const DecoderEngine engine : {DecoderEngine::Hash, DecoderEngine::Chunks}) {
-      if (engine == DecoderEngine::Hash && radius > 2) continue;
-      codec::DecoderOptions decoding;
-      decoding.max_errors = radius;
-      decoding.engine = engine;
-      all.push_back({engine, radius, codec::Decoder(family, decoding).table_bytes()});
+    if (radius <= kMostHashErrors) {
+      all.push_back(
+          {DecoderEngine::Hash, radius, codec::Decoder::hash_table_bytes(*family, radius)});
     }
+    all.push_back({DecoderEngine::Chunks, radius, chunk_bytes(family, radius)});
   }
   return all;
 }

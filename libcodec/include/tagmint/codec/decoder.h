@@ -71,6 +71,10 @@ class Decoder {
   /// Bytes of the look-up tables.
   std::size_t table_bytes() const;
 
+  /// Bytes of the hash table that a decoder for all ids of `family` and `max_errors` (0..2) would
+  /// have, without building it. Throws std::invalid_argument for other radii.
+  static std::size_t hash_table_bytes(const Family& family, int max_errors);
+
   /// Answers for one orientation only; implemented by the engines in src/.
   class Lookup;
 
