@@ -1,0 +1,131 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "support/scratch_folder.h"
+#include "support/tagmint_program.h"
+#include "tagmint/codec/builtin_families.h"
+#include "tagmint/codec/decoder.h"
+#include "tagmint/codec/family_file.h"
+
+namespace tagmint::test {
+namespace {
+
+using Json = nlohmann::json;
+
+TEST(Check, PrintsWhatItProved) {
+  const ProgramResult result = tagmint({"check", "tag36h11"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.err, "");
+  EXPECT_NE(result.out.find(
+                "tag36h11: proven: all 587 tags are at least 11 bits apart in every rotation"),
+            std::string::npos)
+      << result.out;
+  EXPECT_EQ(result.out.find("VIOLATION"), std::string::npos);
+}
+
+TEST(Check, ViolationIsTheAnswerNo) {
+  const ScratchFolder folder;
+  const codec::SharedFamily good = codec::find_family("tag16h5");
+  std::vector<codec::Codeword> codewords(good->codewords().begin(), good->codewords().end());
+  codewords[3] = codewords[1] ^ 1;  // one bit from tag 1
+  codec::FamilyParts parts{"broken", good->layout(), 5, codewords, {}, {}, {}};
+  codec::write_family(codec::Family(std::move(parts)), folder.file("broken.json"));
+  const ProgramResult result = tagmint({"check", folder.file("broken.json")});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_NE(result.out.find("broken: VIOLATION: tags 1 and 3 are 1 bit apart"), std::string::npos)
+      << result.out;
+  EXPECT_EQ(result.err, "");
+}
+
+TEST(Check, CompletenessIsRefusedInWords) {
+  expect_fault({"check", "tag16h5", "--complete"}, 2,
+               "--complete is not part of this version; leave it out to check the codes "
+               "themselves");
+}
+
+TEST(Check, ResultDoesNotDependOnTheNumberOfThreads) {
+  EXPECT_EQ(tagmint({"check", "tag36h10", "--threads", "1"}).out,
+            tagmint({"check", "tag36h10", "--threads", "3"}).out);
+}
+
+TEST(Info, JsonHoldsTheFiguresOfTheFamily) {
+  const ProgramResult result = tagmint({"info", "tag16h5", "--format", "json"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Json json = Json::parse(result.out);
+  EXPECT_EQ(json.at("codes"), 30);
+  EXPECT_EQ(json.at("min_hamming"), 5);
+  EXPECT_EQ(json.at("true_min_hamming"), 5);
+  EXPECT_EQ(json.at("sha256"), codec::family_digest(*codec::find_family("tag16h5")));
+  std::uint64_t pairs = 0;
+  for (const Json& bar : json.at("distance_histogram")) pairs += bar.at("pairs").get<int>();
+  EXPECT_EQ(pairs, 30U * 29 / 2);
+  std::uint64_t tags = 0;
+  for (const Json& bar : json.at("complexity_histogram")) {
+    EXPECT_GE(bar.at("rectangles").get<double>(), 5);
+    tags += bar.at("tags").get<int>();
+  }
+  EXPECT_EQ(tags, 30U);
+  EXPECT_DOUBLE_EQ(json.at("false_accept_rate")[1].at("rate").get<double>(), 4 * 30 * 17 / 65536.0);
+}
+
+TEST(Info, LookupMemoryIsThatOfTheDecoders) {
+  const codec::SharedFamily family = codec::find_family("tag25h9");
+  const Json json = Json::parse(tagmint({"info", "tag25h9", "--format", "json"}).out);
+  std::size_t rows = 0;
+  for (const Json& row : json.at("lookup")) {
+    codec::DecoderOptions options;
+    options.max_errors = row.at("max_errors").get<int>();
+    options.engine =
+        row.at("engine") == "hash" ? codec::DecoderEngine::Hash : codec::DecoderEngine::Chunks;
+    EXPECT_EQ(row.at("bytes"), codec::Decoder(family, options).table_bytes());
+    ++rows;
+  }
+  EXPECT_EQ(rows, 3U + 5U);  // hash for 0 to 2 errors, chunks for 0 to 4
+}
+
+TEST(Info, TextNamesEverySection) {
+  const std::string text = tagmint({"info", "tagCircle21h7"}).out;
+  for (const char* part :
+       {"tagCircle21h7", "codes", "safe radius  3 bit errors", "circle:9",
+        "Pairs of tags by Hamming distance", "own turns", "Tags by complexity (energy)",
+        "False-accept rate", "Memory of the lookup"}) {
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+  }
+}
+
+TEST(Info, ResultDoesNotDependOnTheNumberOfThreads) {
+  EXPECT_EQ(tagmint({"info", "tag36h10", "--threads", "1"}).out,
+            tagmint({"info", "tag36h10", "--threads", "3"}).out);
+}
+
+TEST(Info, HtmlIsRefusedInWords) {
+  expect_fault({"info", "tag16h5", "--html", "x.html"}, 2,
+               "--html is not part of this version; use --format text or json");
+}
+
+TEST(Chain, GeneratedFamilyGoesThroughCheckEncodeAndDecode) {
+  const ScratchFolder folder;
+  const std::string file = folder.file("my.json");
+  ASSERT_EQ(
+      tagmint({"generate", "--layout", "standard:7", "--min-hamming", "9", "-o", file}).exit_code,
+      0);
+  const codec::Family family = codec::read_family(file);
+  EXPECT_EQ(family.name(), "tagStandard25h9");
+  EXPECT_EQ(tagmint({"check", file}).exit_code, 0);
+  const Json encoded = Json::parse(tagmint({"encode", file, "0-", "--format", "json"}).out);
+  ASSERT_EQ(encoded.at("tags").size(), family.size());
+  std::vector<std::string> decode = {"decode", file};
+  std::string expected;
+  for (const Json& tag : encoded.at("tags")) {
+    decode.push_back(tag.at("code"));
+    expected += fmt::format("{} id {} hamming 0 rotation 0\n", tag.at("code").get<std::string>(),
+                            tag.at("id").get<int>());
+  }
+  EXPECT_EQ(tagmint(decode).out, expected);
+}
+
+}  // namespace
+}  // namespace tagmint::test
