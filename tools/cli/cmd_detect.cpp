@@ -128,7 +128,7 @@ Command detect_command() {
           .summary = "find tags in images",
           .examples = {"tagmint detect --family tag36h11 photo.jpg --overlay found.png",
                        "tagmint detect --family tag36h11 --camera 600,600,320,240 --edge 40mm "
-                       "--format jsonl *.png"},
+                       "*.png"},
           .set_up = set_up};
 }
 
