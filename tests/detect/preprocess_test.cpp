@@ -102,6 +102,12 @@ TEST(Preprocess, AWorkingPixelIsTheMeanOfItsSquareForAnyFactor) {
   }
 }
 
+TEST(Preprocess, AFactorOfOneButForRoundingLeavesTheImageAsItIs) {
+  const Image image = random_image(9, 7, 3);
+  EXPECT_EQ(run(image, {1 + 1e-12, 0.0}), image);
+  EXPECT_EQ(run(image, {2 + 1e-12, 0.0}), run(image, {2.0, 0.0}));
+}
+
 TEST(Preprocess, TheScaleMapsTheCentroidOfASpotExactly) {
   // From 30 to 60 across and from 60 to 90 down: on edges of working pixels for every factor here.
   Image image(120, 120, 0);

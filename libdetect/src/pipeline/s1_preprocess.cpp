@@ -27,9 +27,17 @@ void check(const PreprocessOptions& options) {
 /// being rounded down by the last bit.
 int decimated_side(int side, double factor) { return static_cast<int>(side / factor + 1e-9); }
 
-/// The part of full pixel `i` that lies in [begin, end), 0..1.
-double overlap(int i, double begin, double end) {
-  return std::max(0.0, std::min(end, i + 1.0) - std::max(begin, double(i)));
+/// The pixels of [i factor, (i + 1) factor) along a side of `side` pixels.
+PixelSpan span_of(int i, double factor, int side) {
+  const double begin = i * factor, end = begin + factor;
+  PixelSpan span;
+  span.first = static_cast<int>(begin);
+  // An end on a pixel edge, or beyond the side by rounding alone, belongs to the pixel before.
+  span.last = std::min(static_cast<int>(std::ceil(end - 1e-9)), side) - 1;
+  span.first_share = static_cast<float>(span.first + 1 - begin);
+  span.last_share =
+      span.last > span.first ? static_cast<float>(std::min(end - span.last, 1.0)) : 0.0f;
+  return span;
 }
 
 /// Mean of whole blocks of factor x factor pixels: sums down the columns first, contiguous in
@@ -55,27 +63,31 @@ void decimate_by_whole(ImageView full, int factor, std::vector<std::uint32_t>& s
 }
 
 /// Mean over squares of factor x factor pixels that begin and end inside pixels; each pixel counts
-/// by the area of its share.
-void decimate_by_fraction(ImageView full, double factor, std::vector<float>& sums, Image& out) {
+/// by the area of its share. A factor above 1 that is no whole number spans at least two pixels,
+/// or one where the two agree but for rounding.
+void decimate_by_fraction(ImageView full, double factor, PreprocessScratch& scratch, Image& out) {
+  std::vector<float>& sums = scratch.weighted_sums;
+  std::vector<PixelSpan>& spans = scratch.spans;
   sums.resize(full.width);
+  spans.resize(out.width());
+  for (int i = 0; i < out.width(); ++i) spans[i] = span_of(i, factor, full.width);
   const float inverse_area = static_cast<float>(1.0 / (factor * factor));
   for (int j = 0; j < out.height(); ++j) {
-    const double top = j * factor, bottom = top + factor;
+    const PixelSpan rows = span_of(j, factor, full.height);
     std::fill(sums.begin(), sums.end(), 0.0f);
-    const int last_row = std::min(full.height, static_cast<int>(std::ceil(bottom)));
-    for (int y = static_cast<int>(top); y < last_row; ++y) {
+    for (int y = rows.first; y <= rows.last; ++y) {
       const std::uint8_t* row = full.row(y);
-      const float weight = static_cast<float>(overlap(y, top, bottom)) * inverse_area;
+      const float share = y == rows.first  ? rows.first_share
+                          : y == rows.last ? rows.last_share
+                                           : 1.0f;
+      const float weight = share * inverse_area;
       for (int x = 0; x < full.width; ++x) sums[x] += weight * row[x];
     }
     std::uint8_t* target = out.row(j);
     for (int i = 0; i < out.width(); ++i) {
-      const double left = i * factor, right = left + factor;
-      const int last_column = std::min(full.width, static_cast<int>(std::ceil(right)));
-      float sum = 0.5f;
-      for (int x = static_cast<int>(left); x < last_column; ++x) {
-        sum += static_cast<float>(overlap(x, left, right)) * sums[x];
-      }
+      const PixelSpan span = spans[i];
+      float sum = 0.5f + span.first_share * sums[span.first] + span.last_share * sums[span.last];
+      for (int x = span.first + 1; x < span.last; ++x) sum += sums[x];
       target[i] = static_cast<std::uint8_t>(std::min(sum, 255.0f));
     }
   }
@@ -163,7 +175,7 @@ ImageView preprocess(ImageView full, const PreprocessOptions& options, Preproces
     if (options.decimate == std::floor(options.decimate) && !working.view().empty()) {
       decimate_by_whole(full, static_cast<int>(options.decimate), scratch.whole_sums, working);
     } else {
-      decimate_by_fraction(full, options.decimate, scratch.weighted_sums, working);
+      decimate_by_fraction(full, options.decimate, scratch, working);
     }
     current = working;
   }

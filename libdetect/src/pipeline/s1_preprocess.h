@@ -16,10 +16,20 @@ struct PreprocessOptions {
   double blur_sigma_px = 0.0;  ///< of the working image; > 0 blurs, < 0 sharpens, 0 leaves as it is
 };
 
+/// The full pixels that one working pixel spans along a row, and what share of the first and of the
+/// last one; those between count whole.
+struct PixelSpan {
+  int first = 0;
+  int last = 0;
+  float first_share = 0;
+  float last_share = 0;
+};
+
 /// Buffers that preprocess() keeps from one image to the next.
 struct PreprocessScratch {
   std::vector<std::uint32_t> whole_sums;  ///< decimation by a whole number: column sums of a row
   std::vector<float> weighted_sums;       ///< decimation by a fraction: weighted column sums
+  std::vector<PixelSpan> spans;           ///< decimation by a fraction: by working column
   std::vector<std::uint32_t> kernel;      ///< blur: weights, 16 fractional bits, sum 1
   std::vector<std::uint8_t> padded_row;   ///< blur: a row with its end pixels repeated
   std::vector<std::uint16_t> horizontal;  ///< blur: image after the horizontal pass, 8.8 bits

@@ -52,9 +52,9 @@ constexpr double kFewestPoints = 0.55;
 
 /// Bounds for the pixels inside a contour as a share of the area of its quad. Squares of 5 to 20 px
 /// in any position, with noise of 0 and 15 levels, have 0.97 to 1.07, tags in photographs 0.99 to
-/// 1.02; the rest is room for contours with a notch. Most quads fitted to noise lie outside.
-constexpr double kSmallestShare = 0.75;
-constexpr double kLargestShare = 1.25;
+/// 1.02 and 0.6 to 1.2 when decimated to their last legible pixels. Quads fitted to noise have any.
+constexpr double kSmallestShare = 0.6;
+constexpr double kLargestShare = 1.3;
 
 /// A number in [0, 4] that grows with the angle of (x, y) as seen, counter-clockwise from the right
 /// (y down), without a trigonometric function: the place where the ray meets |x| + |y| = 1.
