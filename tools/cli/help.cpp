@@ -44,8 +44,9 @@ std::string table_row(std::string_view left, std::string_view right) {
 /// The option's type as its command named it, "N": without what CLI11 appends for each check.
 std::string type_name(const CLI::Option& option) {
   std::string type = option.get_type_name();
-  type.erase(std::min(type.find(":INT in ["), type.size()));
-  type.erase(std::min(type.find(":FLOAT in ["), type.size()));
+  for (const char* check : {":INT in [", ":FLOAT in [", ":NONNEGATIVE", ":POSITIVE"}) {
+    type.erase(std::min(type.find(check), type.size()));
+  }
   return type;
 }
 
@@ -62,7 +63,8 @@ std::string left_part(const CLI::Option& option) {
 std::string description(const CLI::Option& option) {
   std::string text = option.get_description();
   const std::string value = option.get_default_str();
-  const bool shown = !value.empty() && value != "[]" && value != "{}" && value != "\"\"";
+  const bool shown =
+      !option.get_required() && !value.empty() && value != "[]" && value != "{}" && value != "\"\"";
   if (shown) text += fmt::format(" [default: {}]", value);
   if (option.get_required() && !option.get_positional()) text += " (required)";
   return text;
@@ -103,7 +105,8 @@ std::string program_help(std::span<const Command> commands) {
   text +=
       "\nExit codes: 0 done, 1 the answer is no, 2 usage error, 3 bad input, 4 no output\n"
       "or out of a resource, 130 interrupted.\n\n"
-      "Examples:\n  tagmint --help\n  tagmint --version\n";
+      "Examples:\n  tagmint sheet tag36h11 --ids 0-9 --edge 40mm -o sheet.pdf\n  tagmint detect "
+      "--family tag36h11 photo.png\n";
   return text;
 }
 
