@@ -127,7 +127,7 @@ TEST(Detector, FindsSeveralFamiliesInOneImage) {
 }
 
 TEST(Detector, CornersOfSmallTagsAreRightToATenthOfAPixel) {
-  const Scene scene = grid_of({classic()}, 4, 4, 24);
+  const Scene scene = grid_of({classic()}, 4, 4, 18);
   Detector detector({decoder_of(classic())});
   EXPECT_LT(expect_all_found(detector.detect(scene.image), scene), 0.1);
 }

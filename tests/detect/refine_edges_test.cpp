@@ -78,6 +78,15 @@ TEST(RefineEdges, SizeIsWithoutBiasDownToFourPixelsACell) {
   EXPECT_LT(std::abs(refine_many(48, 0.5, 2).mean_scale), 0.0003);
 }
 
+TEST(RefineEdges, SmallTagsAreMeasuredFarBetterThanByTheMeanOfTheGradient) {
+  // 2.5 px a cell; without the number of cells the mean of the gradient is used.
+  const Errors own = refine_many(15, 0.4, 2);
+  const Errors mean = refine_many(15, 0.4, 2, false, {.search_px = 2, .cells_at_border = 0});
+  EXPECT_LT(own.median_px, 0.05);
+  EXPECT_LT(std::abs(own.mean_scale), 0.003);
+  EXPECT_LT(own.median_px, mean.median_px);
+}
+
 TEST(RefineEdges, ReversedBordersAreRefinedAsWell) {
   EXPECT_LT(refine_many(60, 0.7, 0, true).median_px, 0.015);
 }

@@ -27,6 +27,8 @@ constexpr double kEdgeShare = 0.25;
 constexpr double kMinChange = 2.0;
 /// The next edge of the same sign is two cells away, so the search may reach this many cells.
 constexpr double kSearchCells = 1.25;
+/// Cells below this width, px, are small: their neighbours' edges are within the blur of a camera.
+constexpr double kSmallCellPx = 4.0;
 /// Ends of a side without samples, px: there the neighbouring side shapes the gray values. At most
 /// this share of the side.
 constexpr double kCornerMargin = 2.0;
@@ -74,64 +76,117 @@ std::optional<Side> side_of(const Corners& corners, int i) {
   return Side{from, along, {-along.y, along.x}, side_length};
 }
 
-/// Where the gray values along the normal at `foot` change most in the wanted sense, within
-/// `search` px either way: the mean place of the changes around the steepest one. t is left at
-/// zero.
-/// Where cells are so small that the ring's far edge is within the blur, a cell of the other colour
-/// behind the ring pulls the place outwards and keeps the ring from reaching its full gray level;
-/// weights by the fourth power of the contrast prefer the places without one.
-std::optional<EdgePoint> find_edge(ImageView full, Point foot, Point outward, double search,
-                                   double sign) {
-  const double step = std::max(kStep, search / kMaxReach);
-  const int reach = std::min(kMaxReach, static_cast<int>(std::ceil(search / step)));
+/// Gray values along a normal of a side, brighter outwards where the edge has the wanted sense.
+struct Profile {
+  double t = 0;        ///< foot of the normal along the side, px
+  double step = 0;     ///< px between neighbouring values
+  int reach = 0;       ///< steps from the foot to either end of the search
+  int steepest = 0;    ///< change(steepest) is the largest
+  double darkest = 0;  ///< of all values
+  double brightest = 0;
   std::array<double, 2 * (kMaxReach + kHalfDifference) + 1> gray;
-  const int values = 2 * (reach + kHalfDifference) + 1;
+
+  int changes() const { return 2 * reach + 1; }
+  /// Difference over the four steps around place_of(i), 0 <= i < changes().
+  double change(int i) const { return gray[i + 2 * kHalfDifference] - gray[i]; }
+  /// Offset along the normal of change i, px; fractions lie between.
+  double place_of(double i) const { return (i - reach) * step; }
+};
+
+/// The profile along the normal at `foot`, `search` px either way; nothing when it leaves the image
+/// or has no edge of the wanted sense.
+std::optional<Profile> read_profile(ImageView full, Point foot, Point outward, double search,
+                                    double sign) {
+  Profile p;
+  p.step = std::max(kStep, search / kMaxReach);
+  p.reach = std::min(kMaxReach, static_cast<int>(std::ceil(search / p.step)));
+  const int values = p.changes() + 2 * kHalfDifference;
   for (int i = 0; i < values; ++i) {
-    const double d = (i - reach - kHalfDifference) * step;
+    const double d = p.place_of(i - kHalfDifference);
     const std::optional<double> value = sample_bilinear(full, foot + d * outward);
     if (!value) return std::nullopt;
-    gray[i] = sign * *value;
+    p.gray[i] = sign * *value;
   }
-  const auto change = [&](int i) { return gray[i + 2 * kHalfDifference] - gray[i]; };
-  const int changes = 2 * reach + 1;
-  int steepest = 0;
-  for (int i = 1; i < changes; ++i) {
-    if (change(i) > change(steepest)) steepest = i;
+  for (int i = 1; i < p.changes(); ++i) {
+    if (p.change(i) > p.change(p.steepest)) p.steepest = i;
   }
-  const double peak = change(steepest);
-  if (peak < kMinChange) return std::nullopt;
+  if (p.change(p.steepest) < kMinChange) return std::nullopt;
+  const auto [darkest, brightest] = std::minmax_element(p.gray.begin(), p.gray.begin() + values);
+  p.darkest = *darkest;
+  p.brightest = *brightest;
+  return p;
+}
+
+/// Mean place of the changes around the steepest one.
+double mean_place(const Profile& p) {
   // On both sides down to the same share of the peak, so that the mean is not drawn to the side
   // where the search happens to reach farther.
-  const double floor = kEdgeShare * peak;
-  int begin = steepest;
-  int end = steepest;
-  while (begin > 0 && change(begin - 1) > floor) --begin;
-  while (end + 1 < changes && change(end + 1) > floor) ++end;
+  const double floor = kEdgeShare * p.change(p.steepest);
+  int begin = p.steepest;
+  int end = p.steepest;
+  while (begin > 0 && p.change(begin - 1) > floor) --begin;
+  while (end + 1 < p.changes() && p.change(end + 1) > floor) ++end;
   double sum = 0;
   double moment = 0;
   for (int i = begin; i <= end; ++i) {
-    sum += change(i) - floor;
-    moment += (change(i) - floor) * (i - reach) * step;
+    sum += p.change(i) - floor;
+    moment += (p.change(i) - floor) * p.place_of(i);
   }
-  const auto [darkest, brightest] = std::minmax_element(gray.begin(), gray.begin() + values);
-  const double contrast = *brightest - *darkest;
-  return EdgePoint{0, moment / sum, contrast * contrast * contrast * contrast};
+  return moment / sum;
 }
 
-/// Edge points of one side; how many places were looked at goes to `places`.
-std::vector<EdgePoint> find_edge_points(ImageView full, const Side& side, double search,
-                                        double sign, int& places) {
+/// Where the profile passes `level` going up, nearest to the steepest change.
+std::optional<double> crossing_place(const Profile& p, double level) {
+  const int middle = p.steepest + kHalfDifference;  // index into gray
+  const int last = p.changes() + 2 * kHalfDifference - 1;
+  for (int away = 0; away <= last; ++away) {
+    for (const int i : {middle - 1 - away, middle + away}) {
+      if (i < 0 || i >= last || p.gray[i] > level || p.gray[i + 1] <= level) continue;
+      const double part = (level - p.gray[i]) / (p.gray[i + 1] - p.gray[i]);
+      return p.place_of(i + part - kHalfDifference);
+    }
+  }
+  return std::nullopt;
+}
+
+/// Profiles at places spread over one side, those without an edge left out; how many places were
+/// looked at goes to `places`.
+std::vector<Profile> read_profiles(ImageView full, const Side& side, double search, double sign,
+                                   int& places) {
   const double margin = std::min(kCornerMargin, kCornerShare * side.length);
   const double usable = side.length - 2 * margin;
   places = std::clamp(static_cast<int>(usable), kMinEdgeSamples, kMaxEdgeSamples);
-  std::vector<EdgePoint> points;
+  std::vector<Profile> profiles;
   for (int i = 0; i < places; ++i) {
     const double t = margin + (i + 0.5) / places * usable;
-    std::optional<EdgePoint> found =
-        find_edge(full, side.from + t * side.along, side.outward, search, sign);
+    std::optional<Profile> found =
+        read_profile(full, side.from + t * side.along, side.outward, search, sign);
     if (!found) continue;
     found->t = t;
-    points.push_back(*found);
+    profiles.push_back(*found);
+  }
+  return profiles;
+}
+
+/// Edge points of one side. Where the ring's cells are wide, each profile says by itself where its
+/// edge is. Where they are small, a cell of the other colour behind the ring lies within the blur:
+/// it draws the mean of the changes outwards and keeps the ring from its full gray level. The place
+/// half-way between black and white hardly moves, and some profile of the side shows full black,
+/// some full white; noise moves both ends of that range alike, so not their middle.
+std::vector<EdgePoint> edge_points(std::span<const Profile> profiles, bool small_cells) {
+  double darkest = 255;
+  double brightest = -255;
+  for (const Profile& p : profiles) {
+    darkest = std::min(darkest, p.darkest);
+    brightest = std::max(brightest, p.brightest);
+  }
+  const double level = (darkest + brightest) / 2;
+  std::vector<EdgePoint> points;
+  for (const Profile& p : profiles) {
+    const std::optional<double> d =
+        small_cells ? crossing_place(p, level) : std::optional(mean_place(p));
+    const double contrast = p.brightest - p.darkest;
+    if (d) points.push_back({p.t, *d, contrast * contrast});
   }
   return points;
 }
@@ -197,9 +252,10 @@ bool is_convex(const Corners& corners) {
 }
 
 /// The side's line after a fit, or the side itself where there is no edge to fit.
-Line refined_line(ImageView full, const Side& side, double search, double sign) {
+Line refined_line(ImageView full, const Side& side, double search, double sign, bool small_cells) {
   int places = 0;
-  std::vector<EdgePoint> points = find_edge_points(full, side, search, sign, places);
+  std::vector<EdgePoint> points =
+      edge_points(read_profiles(full, side, search, sign, places), small_cells);
   const auto found = static_cast<int>(points.size());
   if (found >= kMinEdgePoints && found >= kMinEdgeShare * places) {
     if (const std::optional<SideFit> fit = fit_side(points)) {
@@ -211,12 +267,12 @@ Line refined_line(ImageView full, const Side& side, double search, double sign) 
 
 /// One round: each side again, then the corners; nothing when no quad comes of it.
 std::optional<Corners> refine_once(ImageView full, const Corners& corners, double search,
-                                   double sign) {
+                                   double sign, bool small_cells) {
   std::array<Line, 4> lines;
   for (int i = 0; i < 4; ++i) {
     const std::optional<Side> side = side_of(corners, i);
     if (!side) return std::nullopt;
-    lines[i] = refined_line(full, *side, search, sign);
+    lines[i] = refined_line(full, *side, search, sign, small_cells);
   }
   Corners refined;
   for (int i = 0; i < 4; ++i) {
@@ -237,9 +293,12 @@ Quad refine_edges(ImageView full, const Quad& quad, const RefineOptions& options
   if (options.cells_at_border > 0) {
     search = std::min(search, kSearchCells * side_px / options.cells_at_border);
   }
+  const bool small_cells =
+      options.cells_at_border > 0 && side_px < kSmallCellPx * options.cells_at_border;
   Quad refined = quad;
   for (const double reach : {search, std::min(search, kFineSearch)}) {
-    const std::optional<Corners> corners = refine_once(full, refined.corners, reach, sign);
+    const std::optional<Corners> corners =
+        refine_once(full, refined.corners, reach, sign, small_cells);
     if (!corners) break;
     refined.corners = *corners;
   }

@@ -11,7 +11,8 @@ struct RefineOptions {
   /// How far from the given side its true edge may lie, full-resolution px, > 0.
   double search_px = 2.0;
   /// Largest width in cells of the border squares looked for: the search ends before the next edge
-  /// of the same sign, two cells away. 0 = not known, no such limit.
+  /// of the same sign, two cells away, and small cells are measured in their own way. 0 = not
+  /// known, no such limit.
   int cells_at_border = 0;
 };
 
