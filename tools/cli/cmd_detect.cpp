@@ -13,6 +13,7 @@
 #include "cli/output.h"
 #include "cli/progress.h"
 #include "cli/terminal.h"
+#include "tagmint/codec/codeword.h"
 
 namespace tagmint::cli {
 namespace {
@@ -89,7 +90,7 @@ void add_search_options(CLI::App& app, DetectArguments& arguments) {
       ->type_name("S");
   app.add_option("--max-hamming", arguments.max_hamming, "bit errors to correct")
       ->type_name("N")
-      ->check(CLI::NonNegativeNumber)
+      ->check(CLI::Range(0, codec::kMaxBits))
       ->default_str("min(2, safe)");
   app.add_flag("--unsafe-radius", arguments.unsafe_radius, "allow more than the safe radius");
   app.add_flag("--no-refine", arguments.no_refine, "keep the edges as first found");

@@ -73,7 +73,7 @@ io::RgbImage draw_overlay(const detect::ImageView& picture, std::span<const Foun
   // Labels last: no line crosses them.
   for (const FoundTag& tag : tags) {
     const detect::Detection& d = tag.detection;
-    const double height = std::clamp(0.25 * size_px(d.corners), 9.0, 48.0);
+    const double height = std::clamp(0.2 * size_px(d.corners), 9.0, 40.0);
     // With axes the label stands aside of them, towards the first corner.
     const Point place = axes && tag.pose ? d.center + 0.5 * (d.corners[0] - d.center) : d.center;
     const std::string text =
