@@ -29,6 +29,9 @@ inline void add_accuracy(const scene::Scene& scene, std::span<const scene::TagTr
     for (std::size_t i = 0; i < truth.size() && !explained; ++i) {
       const scene::SceneTag& tag = scene.tags[i];
       if (tag.id != detection.id || tag.family->name() != detection.family->name()) continue;
+      // Elsewhere, it is a false one that happens to have the id of a real one.
+      const double nearby = 10;
+      if (length(detection.corners[0] - truth[i].corners[0]) > nearby) continue;
       explained = true;
       for (std::size_t k = 0; k < 4; ++k) {
         accuracy.corner_errors_px.push_back(length(detection.corners[k] - truth[i].corners[k]));

@@ -18,7 +18,11 @@ std::vector<std::shared_ptr<const codec::Decoder>> decoders(
     const std::vector<std::string>& families) {
   std::vector<std::shared_ptr<const codec::Decoder>> made;
   for (const std::string& name : families) {
-    made.push_back(std::make_shared<const codec::Decoder>(codec::find_family(name)));
+    // With two corrected bits, 1.7 % of all words are tags of 21h7, and noise gives about 200 quads
+    // a picture: those would count as wrong ones here.
+    codec::DecoderOptions options;
+    if (name == "tagCircle21h7") options.max_errors = 0;
+    made.push_back(std::make_shared<const codec::Decoder>(codec::find_family(name), options));
   }
   return made;
 }
