@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "numerics/bilinear.h"
@@ -58,6 +59,31 @@ TEST(Bilinear, TheOutermostPixelsGoOnToTheImageEdgeAndNoFarther) {
   EXPECT_FALSE(sample_bilinear(image, {1.0, -0.01}));
   EXPECT_FALSE(sample_bilinear(image, {std::nan(""), 1.0}));
   EXPECT_FALSE(sample_bilinear(ImageView{}, {0.0, 0.0}));
+}
+
+TEST(Bilinear, BothSamplersAgreeWellInside) {
+  testing::FixedRandom random(8);
+  Image image(9, 7);
+  for (int y = 0; y < 7; ++y) {
+    for (int x = 0; x < 9; ++x) image.at(x, y) = static_cast<std::uint8_t>(random.between(0, 255));
+  }
+  for (const double y : {0.5, 1.25, 3.9, 6.5}) {
+    for (const double x : {0.5, 2.0, 7.75, 8.5}) {
+      ASSERT_TRUE(well_inside(image, {x, y}));
+      // By hand: the four pixels around, weighted by nearness.
+      double sum = 0;
+      for (int j = 0; j < 7; ++j) {
+        for (int i = 0; i < 9; ++i) {
+          sum += std::max(0.0, 1 - std::abs(x - i - 0.5)) *
+                 std::max(0.0, 1 - std::abs(y - j - 0.5)) * image.at(i, j);
+        }
+      }
+      EXPECT_NEAR(sample_inside(image, {x, y}), sum, 1e-9);
+      EXPECT_NEAR(*sample_bilinear(image, {x, y}), sum, 1e-9);
+    }
+  }
+  EXPECT_FALSE(well_inside(image, {0.4, 3}));
+  EXPECT_FALSE(well_inside(image, {8.6, 3}));
 }
 
 TEST(GrayModel, RecoversAPlane) {

@@ -101,12 +101,12 @@ std::optional<Profile> read_profile(ImageView full, Point foot, Point outward, d
   p.step = std::max(kStep, search / kMaxReach);
   p.reach = std::min(kMaxReach, static_cast<int>(std::ceil(search / p.step)));
   const int values = p.changes() + 2 * kHalfDifference;
-  for (int i = 0; i < values; ++i) {
-    const double d = p.place_of(i - kHalfDifference);
-    const std::optional<double> value = sample_bilinear(full, foot + d * outward);
-    if (!value) return std::nullopt;
-    p.gray[i] = sign * *value;
+  const Point start = foot + p.place_of(-kHalfDifference) * outward;
+  const Point step = p.step * outward;
+  if (!well_inside(full, start) || !well_inside(full, start + (values - 1) * step)) {
+    return std::nullopt;
   }
+  for (int i = 0; i < values; ++i) p.gray[i] = sign * sample_inside(full, start + i * step);
   for (int i = 1; i < p.changes(); ++i) {
     if (p.change(i) > p.change(p.steepest)) p.steepest = i;
   }
