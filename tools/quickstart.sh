@@ -41,7 +41,7 @@ echo "found $found of $tags tags"
 
 echo
 echo "== 4. A camera's view: perspective, blur, noise"
-show "$tagmint" render "$out/my.json" --count 12 --size 1280x960 --min-side 60 --max-side 160 --max-tilt 55 \
+show "$tagmint" render "$out/my.json" --count 12 --size 1280x960 --min-side 30 --max-side 80 --max-tilt 50 \
      --blur 0.8 --noise 4 --seed 7 -o "$out/scene.png" --truth "$out/scene-truth.json"
 show "$tagmint" detect --family "$out/my.json" --overlay "$out/scene-found.png" --require "$out/scene.png"
 
