@@ -16,7 +16,7 @@ struct TreeSearchTuning {
   /// Visit at least this many words of the walk before the tree is tried.
   std::uint64_t least_scanned = 1u << 20;
   /// Words of the walk that are visited in the time that one open tag costs later.
-  double words_per_open_tag = 25;
+  double words_per_open_tag = 10;
   /// Most open tags that are held; 40 bytes each. While more are expected the walk goes on.
   std::size_t most_open = std::size_t{1} << 24;
   /// As OpenWordTree; nothing = chosen by the number of codes.

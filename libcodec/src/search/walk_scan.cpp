@@ -71,7 +71,7 @@ std::optional<SearchEnd> WalkScan::step() {
 }
 
 void WalkScan::remember(const Greedy::Round& round) {
-  constexpr double kOpenWordsRemembered = 1000;  // three per cent of statistical error
+  constexpr double kOpenWordsRemembered = 60;  // a recent share, right to some 15 per cent
   if (recent_open_ > kOpenWordsRemembered) {
     recent_open_ /= 2;
     recent_words_ /= 2;

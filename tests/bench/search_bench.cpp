@@ -1,0 +1,110 @@
+// Whole searches and their inner loops. Run with --benchmark_repetitions=5 and read the medians.
+
+#include <benchmark/benchmark.h>
+
+#include <cstdint>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "search/distance_filter.h"
+#include "search/engines.h"
+#include "search/leaf_paint.h"
+#include "search/near_list.h"
+#include "search/turn_blocks.h"
+#include "tagmint/codec/layout_presets.h"
+#include "tagmint/codec/rotation.h"
+
+namespace tagmint::codec {
+namespace {
+
+LexicodeOptions options_for(const char* layout, int min_hamming, const char* order,
+                            const char* complexity, int threads) {
+  return {.layout = parse_layout(layout),
+          .min_hamming = min_hamming,
+          .order = parse_order(order),
+          .complexity = parse_complexity(complexity),
+          .threads = threads};
+}
+
+/// Runs one search an iteration and checks the number of its codes.
+void search(benchmark::State& state, const LexicodeOptions& options, std::size_t codes) {
+  std::uint64_t words = 0;
+  for (auto _ : state) {
+    const LexicodeResult result = search_lexicode(options);
+    if (result.codewords.size() != codes) state.SkipWithError("wrong number of codes");
+    words += result.words_searched;
+  }
+  state.counters["words/s"] =
+      benchmark::Counter(static_cast<double>(words), benchmark::Counter::kIsRate);
+}
+
+/// The searches take the number of threads as their argument; 0 = all cores.
+#define TAGMINT_SEARCH_BENCH(name, codes, layout, distance, order, complexity)                 \
+  void name(benchmark::State& state) {                                                         \
+    search(state,                                                                              \
+           options_for(layout, distance, order, complexity, static_cast<int>(state.range(0))), \
+           codes);                                                                             \
+  }                                                                                            \
+  BENCHMARK(name)                                                                              \
+      ->Arg(1)                                                                                 \
+      ->Arg(0)                                                                                 \
+      ->Unit(benchmark::kMillisecond)                                                          \
+      ->UseRealTime()                                                                          \
+      ->MeasureProcessCPUTime()
+
+TAGMINT_SEARCH_BENCH(Tag16h5, 30, "classic:8", 5, "apriltag2", "rectangles:5");
+TAGMINT_SEARCH_BENCH(TagCircle21h7, 38, "circle:9", 7, "apriltag3", "energy:0.3333");
+TAGMINT_SEARCH_BENCH(Tag25h9, 35, "classic:9", 9, "apriltag2", "rectangles:8");
+TAGMINT_SEARCH_BENCH(TagStandard25h9, 35, "standard:7", 9, "apriltag3", "energy:0.3333");
+TAGMINT_SEARCH_BENCH(Tag36h11, 587, "classic:10", 11, "apriltag2", "rectangles:10");
+TAGMINT_SEARCH_BENCH(Tag36h10, 2320, "classic:10", 10, "apriltag2", "rectangles:10");
+
+/// The plain walk over the first 10 million words of tag36h11.
+void PlainWalk36h11(benchmark::State& state) {
+  LexicodeOptions options =
+      options_for("classic:10", 11, "apriltag2", "rectangles:10", static_cast<int>(state.range(0)));
+  options.limit_words = 10'000'000;
+  for (auto _ : state) benchmark::DoNotOptimize(search_plain(options));
+  state.SetItemsProcessed(state.iterations() * 10'000'000);
+}
+BENCHMARK(PlainWalk36h11)
+    ->Arg(1)
+    ->Arg(0)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime()
+    ->MeasureProcessCPUTime();
+
+/// 36-bit words against the turns of `codes` random codes, vector or scalar.
+template <typename Filter>
+void filter_words(benchmark::State& state, Filter filter) {
+  constexpr int kBits = 36;
+  std::mt19937_64 random(1);
+  TurnBlocks blocks;
+  for (int code = 0; code < state.range(0); ++code) {
+    const Codeword word = random() & low_mask(kBits);
+    blocks.add({word, rotate(word, kBits, 1), rotate(word, kBits, 2), rotate(word, kBits, 3)});
+  }
+  std::vector<Codeword> words(1024);
+  for (Codeword& word : words) word = random() & low_mask(kBits);
+  std::vector<std::uint32_t> kept(words.size());
+  for (auto _ : state) benchmark::DoNotOptimize(filter(words, blocks, 11, kept.data()));
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(words.size()));
+}
+BENCHMARK_CAPTURE(filter_words, vector, keep_distant)->Arg(30)->Arg(587);
+BENCHMARK_CAPTURE(filter_words, scalar, keep_distant_scalar)->Arg(30)->Arg(587);
+
+/// One leaf of 4096 words with 50 balls, as in tag36h11.
+void PaintLeaf(benchmark::State& state) {
+  std::mt19937 random(1);
+  NearList list;
+  for (int i = 0; i < 50; ++i) list.push_back(near_entry(random(), i < 35 ? 3 : 4));
+  const LeafPainter painter;
+  LeafBits leaf;
+  for (auto _ : state) benchmark::DoNotOptimize(painter.paint(list, leaf));
+  state.SetItemsProcessed(state.iterations() * 4096);
+}
+BENCHMARK(PaintLeaf);
+
+}  // namespace
+}  // namespace tagmint::codec
