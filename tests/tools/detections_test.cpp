@@ -100,7 +100,7 @@ TEST(DetectionsJsonl, OfAnUnreadableImageHoldsItsNameAndTheReason) {
 TEST(DetectionsJsonl, StaysJsonForFileNamesThatAreNotUtf8) {
   ImageResult result;
   result.image = "caf\xe9.png";
-  EXPECT_NO_THROW(Json::parse(format_jsonl(result)));
+  EXPECT_TRUE(Json::parse(format_jsonl(result)).contains("image"));
 }
 
 TEST(DetectionsCsv, HasAsManyFieldsAsItsHeader) {

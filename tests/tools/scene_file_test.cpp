@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "io/images.h"
@@ -137,6 +138,24 @@ TEST(SceneFile, FindsFamiliesAndPicturesBesideItself) {
   EXPECT_EQ(scene.tags[0].family->name(), "tag16h5");
   EXPECT_EQ(std::get<PhotoBackground>(scene.background).image, photo);
   EXPECT_EQ(render(scene).image.at(0, 0), 77);
+}
+
+TEST(SceneFile, OfTheDocumentationIsAsItsPicture) {
+  const std::string folder = std::string(TAGMINT_TEST_DIR) + "/../docs/pictures/";
+  const detect::Image image = render(read_scene(folder + "scene.json")).image;
+  const detect::Image shown = io::read_gray_image(folder + "scene.png");
+  ASSERT_EQ(image.width(), shown.width());
+  ASSERT_EQ(image.height(), shown.height());
+  // The last digit of a logarithm may round another way on another machine.
+  int different = 0;
+  for (int y = 0; y < image.height(); ++y) {
+    for (int x = 0; x < image.width(); ++x) {
+      const int step = std::abs(image.at(x, y) - shown.at(x, y));
+      ASSERT_LE(step, 1);
+      different += step;
+    }
+  }
+  EXPECT_LT(different, 50);
 }
 
 TEST(SceneFile, ThatIsMissingIsAnInputError) {

@@ -93,6 +93,10 @@ void add_search_options(CLI::App& app, DetectArguments& arguments) {
       ->check(CLI::Range(0, codec::kMaxBits))
       ->default_str("min(2, safe)");
   app.add_flag("--unsafe-radius", arguments.unsafe_radius, "allow more than the safe radius");
+  app.add_option("--min-margin", arguments.detector.min_decision_margin,
+                 "drop tags of a lower decision margin")
+      ->type_name("M")
+      ->check(CLI::Range(0.0, 255.0));
   app.add_flag("--no-refine", arguments.no_refine, "keep the edges as first found");
 }
 

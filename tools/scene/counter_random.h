@@ -6,8 +6,8 @@
 
 namespace tagmint::scene {
 
-/// The finaliser of SplitMix64: a bijection of 64-bit words in which every input bit changes about
-/// half of the output bits.
+/// The finaliser of SplitMix64 [Steele2014]: a bijection of 64-bit words in which every input bit
+/// changes about half of the output bits.
 constexpr std::uint64_t mix_bits(std::uint64_t z) {
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
   z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
