@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 
 #include "search/leaf_paint.h"
 #include "search/open_word_tree.h"
@@ -86,7 +85,8 @@ class Listing {
   void watch(double share, std::chrono::duration<double> started) {
     const double words_total = static_cast<double>(request_.last) + 1;
     const double words_left = words_total - static_cast<double>(request_.after);
-    control_.report(request_.after + static_cast<std::uint64_t>(share * words_left), words_total,
+    const double words_done = kListingShareOfProgress * share * words_left;
+    control_.report(request_.after + static_cast<std::uint64_t>(words_done), words_total,
                     request_.codewords.size());
     constexpr double kSample = 0.01;  // enough subtrees to foretell the rest
     const auto time_left = control_.time_left();

@@ -38,6 +38,10 @@ struct OpenPositions {
   std::vector<std::uint64_t> positions;
 };
 
+/// Part of the words behind `after` that are reported as done when the listing is done; the choice
+/// among the open words takes the rest.
+inline constexpr double kListingShareOfProgress = 0.9;
+
 /// Goes through the whole space as a tree, not along the walk.
 ///   control  is told the progress, as if the walk went on, and asked whether to end
 ///   cost     2^bits / 2^14 leaves of OpenWordTree, divided among the threads

@@ -24,7 +24,7 @@ namespace tagmint::codec {
 ///      ...        ...           the few words that painting left open,
 ///     tier p    radius == 0     and made only where there are such words
 ///
-/// A node two steps above the leaves' lowest level, the *twig*, has 16 leaves of 4096 words.
+/// The node above 16 leaves, each of 4096 words, is the *twig*.
 ///
 /// Holds the lists of one thread: at most (codes * 4) entries for each tier of three levels.
 class OpenWordTree {

@@ -46,6 +46,14 @@ OpenPositions list_rest(WalkScan& scan, const TreeSearchTuning& tuning) {
                              scan.control());
 }
 
+/// `share`: part of phase 3 that is done.
+void report(WalkScan& scan, double share) {
+  const double behind = scan.words_total() - static_cast<double>(scan.words_done());
+  const double done = kListingShareOfProgress + (1 - kListingShareOfProgress) * share;
+  scan.control().report(scan.words_done() + static_cast<std::uint64_t>(done * behind),
+                        scan.words_total(), scan.greedy().codewords().size());
+}
+
 /// Phase 3: the greedy choice among the words at `positions`.
 LexicodeResult choose_among(WalkScan& scan, const std::vector<std::uint64_t>& positions) {
   const auto source = [&](std::uint64_t first, std::span<Codeword> words) {
@@ -64,7 +72,7 @@ LexicodeResult choose_among(WalkScan& scan, const std::vector<std::uint64_t>& po
     const Greedy::Round round = greedy.judge(source, next, count, scan.max_codes());
     pacer.learn(round, scan.control().elapsed() - before);
     next += round.judged;
-    scan.control().report(positions[next - 1], scan.words_total(), greedy.codewords().size());
+    report(scan, static_cast<double>(next) / static_cast<double>(positions.size()));
     if (greedy.codewords().size() >= scan.max_codes()) {
       end = SearchEnd::LimitCodes;
       break;
