@@ -35,6 +35,7 @@ const std::vector<Published> kPublished = {
     {"tag25h9", "classic:9", 9, 35, "rectangles:8", "250908", "dadb26e73ac986565287c3971e449727fd5d20493fc0a048d3162c2e0fd2620e"},
     {"tag36h11", "classic:10", 11, 587, "rectangles:10", "361110", "0fd3ab87dd37625dbc5044ae25a896224ad0ac6d33a4b1dac35aaa30820d54a5"},
     {"tag36h10", "classic:10", 10, 2320, "rectangles:10", "361010", "39791000aed069e34b53df9d397573b655080e6391a30759ced3ff3c4a51931c"},
+    {"tag36h9", "classic:10", 9, 5329, "rectangles:10", "360910", "b6c19d9d86cf283ec64472da66ce51dec2884fe13c372c439b2e202ea7d5b954"},
     {"tagCircle21h7", "circle:9", 7, 38, "energy:0.3333", "210710", "9f8e23cb793255bf29f9253cffc4397c946d8d4e26f307879177f380fd45fabe"},
     {"tagStandard41h12", "standard:9", 12, 2115, "energy:0.3333", "411210", "7aaf3b82b972b998213e0a276d90f7fb62145fb91644c5f8bbcda064fdcef330"},
     {"tagCustom48h12", kCustom48, 12, 42211, "energy:0.3333", "481212", "9d3a60a3cef124c9a8736091ffba614cc76cac62efcd2941e0ce0a3d0d39d37d"},

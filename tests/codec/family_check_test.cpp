@@ -35,8 +35,8 @@ bool proves(const FamilyCheck& check, const std::string& what) {
 }
 
 TEST(FamilyCheck, ThePublishedFamiliesKeepTheirWord) {
-  for (const char* name :
-       {"tag16h5", "tag25h9", "tag36h11", "tag36h10", "tagCircle21h7", "tagStandard41h12"}) {
+  for (const char* name : {"tag16h5", "tag25h9", "tag36h11", "tag36h10", "tag36h9", "tagCircle21h7",
+                           "tagStandard41h12"}) {
     const FamilyCheck check = check_family(*find_family(name));
     EXPECT_FALSE(check.violation) << name << ": " << check.violation->message;
     EXPECT_EQ(check.proven.size(), 5u) << name;

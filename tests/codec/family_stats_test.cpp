@@ -56,8 +56,8 @@ TEST(FamilyStats, DoNotDependOnTheNumberOfThreads) {
 }
 
 TEST(FamilyStats, PublishedFamiliesKeepTheirDistance) {
-  for (const char* name :
-       {"tag16h5", "tag25h9", "tag36h11", "tag36h10", "tagCircle21h7", "tagStandard41h12"}) {
+  for (const char* name : {"tag16h5", "tag25h9", "tag36h11", "tag36h10", "tag36h9", "tagCircle21h7",
+                           "tagStandard41h12"}) {
     const SharedFamily family = find_family(name);
     const FamilyStats stats = family_stats(*family);
     EXPECT_EQ(stats.min_hamming, family->min_hamming()) << name;
