@@ -133,6 +133,56 @@ TEST(Decode, ColoursTheWrongWayRoundAreRefused) {
             DecodeOutcome::NoContrast);
 }
 
+TEST(Decode, RingsOfNoiseAreNoBorder) {
+  // 24 tags of 16 bits: a fifth of all words is within two bits of one.
+  const Decoder decoder(testing::random_family("many", codec::classic_layout(8), 5, 24));
+  ASSERT_EQ(decoder.max_errors(), 2);
+  FixedRandom random(5);
+  const Image noise = testing::to_gray(Canvas(400, 400, 128), 20, random);
+  int decoded = 0, no_contrast = 0;
+  for (int i = 0; i < 400; ++i) {
+    const Point centre = {random.real(40, 360), random.real(40, 360)};
+    const Homography place = testing::square_at(centre, random.real(12, 40), random.real(0, 3));
+    const DecodeResult result = decode_at(noise, place, 0, decoder);
+    decoded += result.outcome == DecodeOutcome::Decoded;
+    no_contrast += result.outcome == DecodeOutcome::NoContrast;
+  }
+  EXPECT_EQ(decoded, 0);
+  EXPECT_EQ(no_contrast, 400);
+}
+
+TEST(Decode, HardShadowsAndFaintTagsAreRead) {
+  const Decoder decoder = decoder_for(codec::classic_layout(10));
+  const Homography truth = testing::square_at({70, 70}, 72, 0.3);
+  for (codec::TagId id = 0; id < decoder.family()->size(); ++id) {
+    FixedRandom random(id);
+    Canvas faint(140, 140, 130);
+    testing::paint_tag(faint, *decoder.family(), id, truth, {.black = 100, .white = 120});
+    EXPECT_TRUE(decode_at(testing::to_gray(faint, 5, random), truth, 0, decoder).detection) << id;
+    Canvas shadow(140, 140, 200);
+    testing::paint_tag(shadow, *decoder.family(), id, truth);
+    for (int y = 0; y < 140; ++y) {
+      for (int x = 0; x < 70; ++x) shadow.at(x, y) *= 0.5f;
+    }
+    EXPECT_NE(decode_at(testing::to_gray(shadow, 2, random), truth, 0, decoder).outcome,
+              DecodeOutcome::NoContrast)
+        << id;
+  }
+}
+
+TEST(Decode, ABorderSquareOfOneCellIsRead) {
+  const Decoder decoder = decoder_for(Layout("ddddd/dwwwd/dwbwd/dwwwd/ddddd"));
+  const Homography truth = testing::square_at({70, 70}, 20, 0.3);
+  for (codec::TagId id = 0; id < decoder.family()->size(); ++id) {
+    Canvas canvas(140, 140, 120);
+    testing::paint_tag(canvas, *decoder.family(), id, truth);
+    FixedRandom random(1);
+    const DecodeResult result = decode_at(testing::to_gray(canvas, 2, random), truth, 0, decoder);
+    ASSERT_TRUE(result.detection) << id;
+    EXPECT_EQ(result.detection->id, id);
+  }
+}
+
 TEST(Decode, AWordThatIsNoTagsIsRefused) {
   const codec::SharedFamily all = testing::random_family("all", codec::classic_layout(8), 5, 6);
   const codec::SharedFamily other =

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "numerics/bilinear.h"
 #include "numerics/gray_model.h"
@@ -94,6 +96,20 @@ TEST(GrayModel, RecoversAPlane) {
   const auto plane = model.fit();
   ASSERT_TRUE(plane);
   EXPECT_NEAR(plane->at({0.5, -2}), 124, 1e-9);
+}
+
+TEST(GrayModel, ResidualsAreThoseOfTheSamples) {
+  GrayModel model;
+  const std::vector<std::pair<Point, double>> samples = {
+      {{-1, -1}, 90}, {{1, -1}, 131}, {{0.3, 0.9}, 96}, {{-0.2, 0.4}, 103}, {{0.5, 0}, 120}};
+  for (const auto& [p, gray] : samples) model.add(p, gray);
+  const auto plane = model.fit();
+  ASSERT_TRUE(plane);
+  double expected = 0;
+  for (const auto& [p, gray] : samples) {
+    expected += (gray - plane->at(p)) * (gray - plane->at(p));
+  }
+  EXPECT_NEAR(model.squared_residuals(*plane), expected, 1e-8);
 }
 
 TEST(GrayModel, TooFewSamplesOrOneLineGiveNone) {

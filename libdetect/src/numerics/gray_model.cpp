@@ -1,5 +1,7 @@
 #include "numerics/gray_model.h"
 
+#include <algorithm>
+
 #include "numerics/small_matrix.h"
 
 namespace tagmint::detect {
@@ -14,6 +16,7 @@ void GrayModel::add(Point p, double gray) {
   xg_ += p.x * gray;
   yg_ += p.y * gray;
   g_ += gray;
+  gg_ += gray * gray;
 }
 
 std::optional<GrayPlane> GrayModel::fit() const {
@@ -22,6 +25,12 @@ std::optional<GrayPlane> GrayModel::fit() const {
   const std::optional<Vector3> plane = solve(normal, {xg_, yg_, g_});
   if (!plane) return std::nullopt;
   return GrayPlane{(*plane)[0], (*plane)[1], (*plane)[2]};
+}
+
+double GrayModel::squared_residuals(const GrayPlane& fitted) const {
+  // At the least-squares plane the residuals are orthogonal to it: only the part of g^2 that the
+  // plane does not explain is left, rounding aside.
+  return std::max(0.0, gg_ - fitted.cx * xg_ - fitted.cy * yg_ - fitted.c0 * g_);
 }
 
 }  // namespace tagmint::detect

@@ -26,11 +26,13 @@ class GrayModel {
   /// The plane nearest to the samples; nothing when they are fewer than three or on one line.
   ///   cost     one 3 x 3 system
   std::optional<GrayPlane> fit() const;
+  /// Sum of the squared distances of the samples from the plane that fit() gave, gray levels^2.
+  double squared_residuals(const GrayPlane& fitted) const;
 
  private:
   int samples_ = 0;
   double xx_ = 0, xy_ = 0, yy_ = 0, x_ = 0, y_ = 0;  // sums of products of coordinates
-  double xg_ = 0, yg_ = 0, g_ = 0;                   // the same with the gray value
+  double xg_ = 0, yg_ = 0, g_ = 0, gg_ = 0;          // the same with the gray value
 };
 
 }  // namespace tagmint::detect

@@ -17,6 +17,11 @@ using codec::Layout;
 
 /// Share of a ring's cells that must be in the image for its plane to be trusted over the tag.
 constexpr double kMinRingShare = 0.5;
+/// Rings whose cells scatter about their planes by more than this share of the contrast between the
+/// planes are no border: with half the contrast from either plane to the threshold, one cell in
+/// thirteen would then be taken for the other colour. Rings of rendered tags have 0.001 to 0.08, of
+/// quads fitted to noise 0.31 to 3000, their median is 1.8 (docs/pipeline.md).
+constexpr double kMaxRingScatter = 0.35;
 /// A cell this many pixels wide, or part of it, is worth one more gray value in each direction...
 constexpr double kPixelsPerSample = 2.0;
 /// ...up to this many,
@@ -65,13 +70,24 @@ class CellReader {
   int samples_;    // a side of the cell
 };
 
-/// The plane through the cells of one ring, counted from the tag's outer edge.
-std::optional<GrayPlane> fit_ring(const CellReader& reader, const Layout& layout, int ring) {
+/// What the cells of one ring say: their plane, and how far they are from it.
+struct Ring {
+  GrayPlane plane;
+  int cells = 0;
+  double squared_residuals = 0;
+};
+
+/// The ring `ring` cells from the tag's outer edge; nothing when too little of it is in the image.
+std::optional<Ring> read_ring(const CellReader& reader, const Layout& layout, int ring) {
   const int last = layout.width() - 1 - ring;
   GrayModel model;
   const auto add = [&](CellPosition p) {
     if (const std::optional<double> gray = reader.gray(p)) model.add(reader.centre(p), *gray);
   };
+  if (ring == last) {  // a single cell in the middle of the tag has no slope
+    const std::optional<double> gray = reader.gray({ring, ring});
+    return gray ? std::optional(Ring{{0, 0, *gray}, 1, 0}) : std::nullopt;
+  }
   for (int i = ring; i < last; ++i) {
     add({i, ring});
     add({last, i});
@@ -79,23 +95,34 @@ std::optional<GrayPlane> fit_ring(const CellReader& reader, const Layout& layout
     add({ring, last - i + ring});
   }
   if (model.samples() < kMinRingShare * 4 * (last - ring)) return std::nullopt;
-  return model.fit();
+  const std::optional<GrayPlane> plane = model.fit();
+  if (!plane) return std::nullopt;
+  return Ring{*plane, model.samples(), model.squared_residuals(*plane)};
 }
 
 /// Gray level of black and of white over the tag.
 struct TwoColours {
   GrayPlane black;
   GrayPlane white;
+  double ring_scatter = 0;  ///< rms distance of the rings' cells from their planes
 
   double threshold(Point p) const { return (black.at(p) + white.at(p)) / 2; }
   double contrast(Point p) const { return white.at(p) - black.at(p); }
+  /// Whether the rings are those of a border: one darker than the other, and both even.
+  bool tell_a_border() const {
+    const double contrast_in_the_middle = contrast({0, 0});
+    return contrast_in_the_middle > 0 && ring_scatter <= kMaxRingScatter * contrast_in_the_middle;
+  }
 };
 
 std::optional<TwoColours> fit_colours(const CellReader& reader, const Layout& layout) {
-  const auto outside = fit_ring(reader, layout, layout.border_offset() - 1);
-  const auto inside = fit_ring(reader, layout, layout.border_offset());
+  const auto outside = read_ring(reader, layout, layout.border_offset() - 1);
+  const auto inside = read_ring(reader, layout, layout.border_offset());
   if (!outside || !inside) return std::nullopt;
-  return layout.reversed_border() ? TwoColours{*outside, *inside} : TwoColours{*inside, *outside};
+  const double scatter = std::sqrt((outside->squared_residuals + inside->squared_residuals) /
+                                   (outside->cells + inside->cells));
+  if (layout.reversed_border()) return TwoColours{outside->plane, inside->plane, scatter};
+  return TwoColours{inside->plane, outside->plane, scatter};
 }
 
 /// Fills scratch.excess; false when a data cell is outside the image.
@@ -185,7 +212,7 @@ DecodeResult decode_quad(ImageView full, const Quad& quad, const codec::Decoder&
   const CellReader reader(full, *tag_to_image, layout, side_px);
   const std::optional<TwoColours> colours = fit_colours(reader, layout);
   if (!colours) return {DecodeOutcome::OutsideImage, {}};
-  if (!(colours->contrast({0, 0}) > 0)) return {DecodeOutcome::NoContrast, {}};
+  if (!colours->tell_a_border()) return {DecodeOutcome::NoContrast, {}};
   if (!read_cells(reader, layout, *colours, scratch)) return {DecodeOutcome::OutsideImage, {}};
   const Reading reading = read_word(layout, options.sharpening, scratch);
   const std::optional<codec::Match> match = decoder.decode(reading.word);

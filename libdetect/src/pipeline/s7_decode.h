@@ -19,7 +19,7 @@ struct DecodeOptions {
 /// How far a candidate came, worst first.
 enum class DecodeOutcome {
   OutsideImage,  ///< a data cell, or too much of the border, is not in the picture
-  NoContrast,    ///< black ring not darker than the white ring
+  NoContrast,    ///< black ring not clearly darker than the white ring
   NoCodeword,    ///< too many bits differ from every codeword
   LowMargin,     ///< below min_decision_margin
   Decoded

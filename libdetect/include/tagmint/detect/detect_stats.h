@@ -35,7 +35,7 @@ struct DetectStats {
   std::int64_t bad_shape = 0;      ///< size, angles, winding or filling not those of a tag
   std::int64_t quads = 0;          ///< candidates that went on to decoding
   std::int64_t outside_image = 0;  ///< data cells, or most of the border ring, not in the picture
-  std::int64_t no_contrast = 0;    ///< border not darker (or lighter) than its surroundings
+  std::int64_t no_contrast = 0;    ///< border not clearly darker (or lighter) than its surroundings
   std::int64_t no_codeword = 0;    ///< bits too far from every codeword
   std::int64_t low_margin = 0;     ///< below min_decision_margin
   std::int64_t duplicates = 0;     ///< same tag twice in one place
