@@ -15,21 +15,17 @@ int first_used(const std::vector<std::uint64_t>& histogram, int none) {
   return used == histogram.end() ? none : static_cast<int>(used - histogram.begin());
 }
 
-/// 4 * codes * sum_{i <= r} C(bits, i) / 2^bits for r = 0 .. bits / 2, each at most 1.
-std::vector<double> false_accept_rates(std::size_t codes, int bits) {
-  std::vector<double> rates;
-  double words_at_distance = 1;  // C(bits, r), exact in a double up to 2^53 and near enough beyond
-  double words_within = 0;
-  for (int r = 0; r <= bits / 2; ++r) {
-    words_within += words_at_distance;
-    const double share = 4.0 * static_cast<double>(codes) * std::ldexp(words_within, -bits);
-    rates.push_back(std::min(1.0, share));
-    words_at_distance = words_at_distance * (bits - r) / (r + 1);
-  }
-  return rates;
-}
-
 }  // namespace
+
+double false_accept_rate(std::size_t codes, int bits, int errors) {
+  double words_at_distance = 1;  // C(bits, i), exact in a double up to 2^53 and near enough beyond
+  double words_within = 1;
+  for (int i = 1; i <= errors; ++i) {
+    words_at_distance = words_at_distance * (bits - i + 1) / i;
+    words_within += words_at_distance;
+  }
+  return std::min(1.0, 4.0 * static_cast<double>(codes) * std::ldexp(words_within, -bits));
+}
 
 FamilyStats family_stats(const Family& family, int threads) {
   const int bits = family.bits();
@@ -44,7 +40,9 @@ FamilyStats family_stats(const Family& family, int threads) {
   for (const Codeword word : family.codewords()) ++stats.self_histogram[self_distance(word, bits)];
   stats.min_hamming =
       std::min(first_used(stats.distance_histogram, bits), first_used(stats.self_histogram, bits));
-  stats.false_accept_rate = false_accept_rates(family.size(), bits);
+  for (int errors = 0; errors <= bits / 2; ++errors) {
+    stats.false_accept_rate.push_back(false_accept_rate(family.size(), bits, errors));
+  }
   return stats;
 }
 

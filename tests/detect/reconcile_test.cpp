@@ -53,6 +53,31 @@ TEST(Reconcile, OtherIdsAndFamiliesMayOverlapOrNest) {
       3u);
 }
 
+Detection turned(Detection d, int turns) {
+  std::rotate(d.corners.begin(), d.corners.begin() + turns, d.corners.end());
+  return d;
+}
+
+TEST(Reconcile, OneQuadIsOneTagOfTheFamilyThatChanceHitsLeast) {
+  const codec::SharedFamily small = kAlpha;  // six tags of 16 bits
+  const codec::SharedFamily large =
+      testing::random_family("large", codec::classic_layout(10), 9, 6);
+  const auto place_of = [&](const codec::SharedFamily& of, int hamming, double margin) {
+    return at({50, 50}, 1, 40, hamming, margin, of);
+  };
+  // Two errors in 36 bits tell more than none in 16, whatever the margins and the turn.
+  for (const auto& candidates :
+       {std::vector{place_of(small, 0, 90), turned(place_of(large, 2, 20), 3)},
+        std::vector{turned(place_of(large, 2, 20), 1), place_of(small, 0, 90)}}) {
+    const auto kept = reconciled(candidates);
+    ASSERT_EQ(kept.size(), 1u);
+    EXPECT_EQ(kept[0].family, large);
+  }
+  // Families of one size: fewer errors, then the larger margin.
+  EXPECT_EQ(reconciled({place_of(kAlpha, 1, 90), place_of(kBeta, 0, 20)})[0].family, kBeta);
+  EXPECT_EQ(reconciled({place_of(kAlpha, 1, 90), place_of(kBeta, 1, 20)})[0].family, kAlpha);
+}
+
 TEST(Reconcile, SortedByFamilyIdThenPlaceWhateverTheOrderBefore) {
   std::vector<Detection> candidates = {at({10, 90}, 1),
                                        at({50, 50}, 1),

@@ -1,10 +1,14 @@
 #include "pipeline/s8_reconcile.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <tuple>
+#include <utility>
 
 #include "numerics/polygon_overlap.h"
+#include "tagmint/codec/family_stats.h"
 
 namespace tagmint::detect {
 namespace {
@@ -45,9 +49,51 @@ bool output_order(const Detection& a, const Detection& b) {
   return place(a) < place(b);
 }
 
+/// The same corners from the same one on, whichever way up the tag was read.
+Corners from_first_corner(Corners corners) {
+  const auto before = [](Point a, Point b) { return std::tie(a.y, a.x) < std::tie(b.y, b.x); };
+  std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end(), before),
+              corners.end());
+  return corners;
+}
+
+/// How likely the reading is an accident.
+double chance_of(const Detection& d) {
+  return codec::false_accept_rate(d.family->size(), d.family->bits(), d.hamming);
+}
+
+bool more_credible(const Detection& a, const Detection& b) {
+  const double chance_a = chance_of(a), chance_b = chance_of(b);
+  if (chance_a != chance_b) return chance_a < chance_b;
+  if (a.decision_margin != b.decision_margin) return a.decision_margin > b.decision_margin;
+  return better_first(a, b);
+}
+
+/// One border square is one tag: of its readings in several families the most credible stays.
+std::vector<Detection> one_of_each_quad(std::vector<Detection> candidates) {
+  std::map<std::array<double, 8>, std::size_t> place_in_kept;
+  std::vector<Detection> kept;
+  kept.reserve(candidates.size());
+  for (Detection& candidate : candidates) {
+    const Corners c = from_first_corner(candidate.corners);
+    const std::array<double, 8> quad = {c[0].x, c[0].y, c[1].x, c[1].y,
+                                        c[2].x, c[2].y, c[3].x, c[3].y};
+    const auto [known, is_new] = place_in_kept.emplace(quad, kept.size());
+    if (is_new) {
+      kept.push_back(std::move(candidate));
+    } else if (Detection& rival = kept[known->second]; more_credible(candidate, rival)) {
+      rival = std::move(candidate);
+    }
+  }
+  return kept;
+}
+
 }  // namespace
 
 std::vector<Detection> reconcile(std::vector<Detection> candidates, DetectStats& stats) {
+  const std::size_t read = candidates.size();
+  candidates = one_of_each_quad(std::move(candidates));
+  stats.duplicates += static_cast<std::int64_t>(read - candidates.size());
   std::sort(candidates.begin(), candidates.end(), better_first);
   std::vector<Detection> kept;
   kept.reserve(candidates.size());

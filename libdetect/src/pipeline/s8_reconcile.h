@@ -7,9 +7,12 @@
 
 namespace tagmint::detect {
 
-/// Stage 8: one detection for each tag. Where detections of the same family and id overlap, the one
-/// with fewer corrected errors stays, then the one with the larger decision margin, then the one
-/// whose centre and corners come first. Nested or neighbouring tags of other ids all stay.
+/// Stage 8: one detection for each tag. Where several families were read from one quad, the reading
+/// stays that is least likely an accident (codec::false_accept_rate() of its family and errors),
+/// then the one with the larger decision margin. Where detections of the same family and id
+/// overlap, the one with fewer corrected errors stays, then the one with the larger decision
+/// margin, then the one whose centre and corners come first. Nested or neighbouring tags of other
+/// ids all stay.
 ///   candidates   in any order
 ///   returns      sorted by family name, id, then centre (y, x)
 ///   stats        duplicates and detections are added to

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -21,6 +22,13 @@ struct FamilyStats {
   /// (min_hamming - 1) / 2; bits/2 + 1 entries, at most 1.
   std::vector<double> false_accept_rate;
 };
+
+/// Share of all words of `bits` bits that lie within `errors` bits of some turn of one of `codes`
+/// tags: 4 * codes * sum_{i<=errors} C(bits, i) / 2^bits, at most 1. How likely a reading with so
+/// many errors is an accident.
+///   errors   0 to bits
+///   cost     O(errors)
+double false_accept_rate(std::size_t codes, int bits, int errors);
 
 /// Cost: O(codes^2) word comparisons, shared by `threads` threads (0 = all cores).
 FamilyStats family_stats(const Family& family, int threads = 0);

@@ -38,7 +38,7 @@ struct DetectStats {
   std::int64_t no_contrast = 0;    ///< border not clearly darker (or lighter) than its surroundings
   std::int64_t no_codeword = 0;    ///< bits too far from every codeword
   std::int64_t low_margin = 0;     ///< below min_decision_margin
-  std::int64_t duplicates = 0;     ///< same tag twice in one place
+  std::int64_t duplicates = 0;     ///< same tag, or several families, in one place
   std::int64_t detections = 0;
   std::array<double, kStages> stage_ms{};  ///< wall time by Stage
 
