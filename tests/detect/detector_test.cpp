@@ -305,6 +305,18 @@ TEST(Detector, TheDebugSinkTakesEachPictureOnceInOrder) {
   }
 }
 
+TEST(Detector, OneQuadIsOneTagWhateverTheFamiliesLookedFor) {
+  // A fifth of all words is within two bits of a tag of the small family.
+  const SharedFamily small = testing::random_family("small", codec::classic_layout(8), 5, 24);
+  const Scene scene = grid_of({classic()}, 6, 5, 60);
+  Detector detector({std::make_shared<const Decoder>(small), decoder_of(classic())});
+  DetectStats stats;
+  const std::vector<Detection> found = detector.detect(scene.image, &stats);
+  EXPECT_EQ(found.size(), scene.tags.size());
+  for (const Detection& d : found) EXPECT_EQ(d.family, classic()) << d.id;
+  EXPECT_GT(stats.duplicates, 0);
+}
+
 TEST(Detector, ImpossibleArgumentsAreRefused) {
   const auto decoder = decoder_of(classic());
   EXPECT_THROW(Detector({}), std::invalid_argument);
@@ -312,6 +324,9 @@ TEST(Detector, ImpossibleArgumentsAreRefused) {
   EXPECT_THROW(Detector({decoder}, {.decimate = 0.5}), std::invalid_argument);
   EXPECT_THROW(Detector({decoder}, {.decimate = std::nan("")}), std::invalid_argument);
   EXPECT_THROW(Detector({decoder}, {.blur_sigma_px = std::nan("")}), std::invalid_argument);
+  EXPECT_THROW(Detector({decoder}, {.blur_sigma_px = 1e9}), std::invalid_argument);
+  EXPECT_THROW(Detector({decoder}, {.blur_sigma_px = -1e9}), std::invalid_argument);
+  EXPECT_THROW(Detector({decoder}, {.min_side_px = 1e12}), std::invalid_argument);
   EXPECT_THROW(Detector({decoder}, {.min_contrast = 256}), std::invalid_argument);
   EXPECT_THROW(Detector({decoder}, {.max_corner_candidates = 3}), std::invalid_argument);
   EXPECT_THROW(Detector({decoder}, {.decode_sharpening = -1}), std::invalid_argument);

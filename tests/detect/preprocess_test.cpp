@@ -140,6 +140,12 @@ TEST(Preprocess, BlurKeepsAPlainImageAsItIs) {
   }
 }
 
+TEST(Preprocess, ABlurFarBelowAPixelKeepsTheImage) {
+  const Image image = random_image(12, 9, 3);
+  EXPECT_EQ(run(image, {1.0, 1e-200}), image);
+  EXPECT_EQ(run(image, {1.0, -1e-200}), image);
+}
+
 TEST(Preprocess, BlurOfAnEdgeFollowsTheNormalDistribution) {
   Image image(41, 3, 0);
   for (int y = 0; y < 3; ++y) {

@@ -97,7 +97,7 @@ void decimate_by_fraction(ImageView full, double factor, PreprocessScratch& scra
 void gaussian_kernel(double sigma, std::vector<std::uint32_t>& kernel) {
   constexpr double kOne = 65536;
   const int radius = std::max(1, static_cast<int>(std::ceil(kKernelSigmas * sigma)));
-  const auto density = [&](int i) { return std::exp(-0.5 * i * i / (sigma * sigma)); };
+  const auto density = [&](int i) { return std::exp(-0.5 * (i / sigma) * (i / sigma)); };
   double total = 0;
   for (int i = -radius; i <= radius; ++i) total += density(i);
   kernel.resize(2 * radius + 1);

@@ -8,7 +8,7 @@ struct DetectorOptions {
   // Stage 1, preprocessing.
   double decimate = 1.0;  ///< >= 1; quads are looked for in an image this many times smaller
   double blur_sigma_px =
-      0.0;  ///< Gaussian blur of the working image; negative = sharpen by as much
+      0.0;  ///< Gaussian blur of the working image; negative = sharpen by as much; -100..100
 
   // Stage 2, threshold.
   int min_contrast = 5;  ///< gray levels; flatter 3x3 tile neighbourhoods are left out, 0..255
