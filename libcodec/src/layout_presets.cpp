@@ -45,8 +45,8 @@ const std::array<Preset, 3>& presets() {
 
 void require_width(std::string_view name, int width, int least) {
   if (width < least || width > kMaxBits) {
-    throw std::invalid_argument(
-        fmt::format("layout {}:{} cannot be; its width is at least {} cells", name, width, least));
+    throw std::invalid_argument(fmt::format("layout {}:{} cannot be; its width is {} to {} cells",
+                                            name, width, least, kMaxBits));
   }
 }
 

@@ -41,7 +41,7 @@ Codeword word_of(const Layout& layout, const std::vector<std::string>& picture) 
   return codeword_of(layout, TagCells(layout.width(), cells));
 }
 
-/// The greedy painter word for word as generation.md describes it, on the tag turned by 180
+/// The greedy painter word for word as docs/lexicodes.md describes it, on the tag turned by 180
 /// degrees.
 int rectangles_as_described(const Layout& layout, Codeword word) {
   const TagCells tag = tag_cells(layout, word);

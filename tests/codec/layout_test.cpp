@@ -109,13 +109,18 @@ TEST(Layout, FirstCellIsTheMostSignificantBit) {
   EXPECT_EQ(cells.at(3, 2), Cell::Black);
 }
 
+TEST(Layout, TheExampleOfItsDocumentationIsOne) {
+  EXPECT_EQ(Layout("wwwww/wbbbw/wbdbw/wbbbw/wwwww").bits(), 1);
+}
+
 TEST(Layout, FaultsAreNamed) {
   EXPECT_EQ(message_of("clasic:8"),
             "unknown layout 'clasic:8'; did you mean 'classic'? layouts are classic:W, standard:W, "
             "circle:W, custom:ROWS");
   EXPECT_NE(message_of("classic").find("layouts are classic:W"), std::string::npos);
   EXPECT_NE(message_of("classic:8x").find("whole number"), std::string::npos);
-  EXPECT_NE(message_of("classic:4").find("at least 5"), std::string::npos);
+  EXPECT_NE(message_of("classic:4").find("5 to 64 cells"), std::string::npos);
+  EXPECT_NE(message_of("classic:100").find("5 to 64 cells"), std::string::npos);
   EXPECT_NE(message_of("classic:40").find("1296 data cells"), std::string::npos);
   EXPECT_NE(message_of("custom:wwww/wbbw/wbbw").find("row 0 has 4 cells, but there are 3 rows"),
             std::string::npos);

@@ -36,7 +36,7 @@ std::string_view rule_name(ComplexityRule rule);
 std::string to_string(const Complexity& complexity);
 
 /// Number of rectangles that a greedy painter needs to draw the data cells of `word`
-/// (generation.md, "The lexicode and its published order"): each time the rectangle and colour that
+/// (docs/lexicodes.md, "The rule"): each time the rectangle and colour that
 /// lower the number of wrong cells most, the first one on ties. The grid is the bounding box of the
 /// data cells seen as the published generator visited it, that is turned by 180 degrees against the
 /// printed tag; cells that are not data never count as wrong. Not rotation invariant.

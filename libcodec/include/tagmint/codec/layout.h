@@ -33,8 +33,8 @@ struct CellPosition {
 class Layout {
  public:
   /// `rows`: the characters of Cell, row by row, with an optional '/' between rows, for example
-  /// "wwww/wbbw/wbbw/wwww". Throws std::invalid_argument that names the row, the cell or the ring
-  /// at fault.
+  /// "wwwww/wbbbw/wbdbw/wbbbw/wwwww". Throws std::invalid_argument that names the row, the cell or
+  /// the ring at fault.
   explicit Layout(std::string_view rows);
 
   /// Side of the whole tag in cells.
