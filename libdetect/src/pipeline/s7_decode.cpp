@@ -20,7 +20,7 @@ constexpr double kMinRingShare = 0.5;
 /// Rings whose cells scatter about their planes by more than this share of the contrast between the
 /// planes are no border: with half the contrast from either plane to the threshold, one cell in
 /// thirteen would then be taken for the other colour. Rings of rendered tags have 0.001 to 0.08, of
-/// quads fitted to noise 0.31 to 3000, their median is 1.8 (docs/pipeline.md).
+/// 291 tags in photographs up to 0.23, of quads fitted to noise 0.31 and more (docs/pipeline.md).
 constexpr double kMaxRingScatter = 0.35;
 /// A cell this many pixels wide, or part of it, is worth one more gray value in each direction...
 constexpr double kPixelsPerSample = 2.0;
