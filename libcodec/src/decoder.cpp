@@ -19,7 +19,8 @@ int checked_errors(const Family& family, const DecoderOptions& options) {
   const int errors = options.max_errors.value_or(std::min(2, safe));
   if (errors < 0 || errors > family.bits()) {
     throw std::invalid_argument(fmt::format("{} bit errors cannot be corrected in {}; 0 to {} can",
-                                            errors, family.name(), safe));
+                                            errors, family.name(),
+                                            options.allow_unsafe_radius ? family.bits() : safe));
   }
   if (errors > safe && !options.allow_unsafe_radius) {
     throw std::invalid_argument(

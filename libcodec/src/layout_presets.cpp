@@ -102,11 +102,11 @@ Layout parse_layout(std::string_view name) {
   kinds.push_back("custom");
   if (colon == std::string_view::npos ||
       std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) {
-    std::string hint = did_you_mean(kind, kinds);
-    if (colon == std::string_view::npos && hint.empty()) hint = "a layout reads like classic:10";
-    throw std::invalid_argument(fmt::format(
-        "unknown layout '{}'; {}layouts are classic:W, standard:W, circle:W, custom:ROWS", name,
-        hint.empty() ? "" : hint + " "));
+    const bool known = std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+    const std::string hint = known ? "" : did_you_mean(kind, kinds);
+    throw std::invalid_argument(
+        fmt::format("{} layout '{}'; {}layouts are classic:W, standard:W, circle:W, custom:ROWS",
+                    known ? "unfinished" : "unknown", name, hint.empty() ? "" : hint + " "));
   }
   const std::string_view rest = name.substr(colon + 1);
   if (kind == "custom") return Layout(rest);

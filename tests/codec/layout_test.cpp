@@ -117,7 +117,11 @@ TEST(Layout, FaultsAreNamed) {
   EXPECT_EQ(message_of("clasic:8"),
             "unknown layout 'clasic:8'; did you mean 'classic'? layouts are classic:W, standard:W, "
             "circle:W, custom:ROWS");
-  EXPECT_NE(message_of("classic").find("layouts are classic:W"), std::string::npos);
+  EXPECT_EQ(message_of("classic"),
+            "unfinished layout 'classic'; layouts are classic:W, standard:W, circle:W, "
+            "custom:ROWS");
+  EXPECT_EQ(message_of(""),
+            "unknown layout ''; layouts are classic:W, standard:W, circle:W, custom:ROWS");
   EXPECT_NE(message_of("classic:8x").find("whole number"), std::string::npos);
   EXPECT_NE(message_of("classic:4").find("5 to 64 cells"), std::string::npos);
   EXPECT_NE(message_of("classic:100").find("5 to 64 cells"), std::string::npos);

@@ -102,6 +102,11 @@ TEST(Decode, RadiusAboveTheSafeOneNeedsTheUsersWord) {
   EXPECT_EQ(result.err, "");
 }
 
+TEST(Decode, RadiusBeyondAllBitsIsNamedWithItsOption) {
+  expect_fault({"decode", "tag16h5", "0", "--max-hamming", "17", "--unsafe-radius"}, 2,
+               "17 bit errors cannot be corrected in tag16h5 (--max-hamming); 0 to 16 can");
+}
+
 TEST(Decode, WhatIsNoCodewordIsAUsageError) {
   for (const char* text : {"xyz", "0x", "", "0xd7e00984bg", "+1"}) {
     expect_fault(

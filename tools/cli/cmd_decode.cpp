@@ -8,6 +8,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -91,7 +92,13 @@ int run(const Options& options) {
   codec::DecoderOptions decoding;
   decoding.max_errors = options.max_hamming;
   decoding.allow_unsafe_radius = options.unsafe_radius;
-  const codec::Decoder decoder(family, decoding);
+  const codec::Decoder decoder = [&] {
+    try {
+      return codec::Decoder(family, decoding);
+    } catch (const std::invalid_argument& complaint) {
+      throw usage_error(complaint, "--max-hamming");
+    }
+  }();
   for (Reading& reading : readings) reading.match = decoder.decode(reading.observed);
   write_output(options.output,
                format == "json" ? readings_json(decoder, readings) : readings_text(readings));
