@@ -37,6 +37,12 @@ TEST(Length, BareNumberIsToldToTakeAUnit) {
             "the length '40' has no unit (--edge); add one of mm, cm, m, in, pt, like 40mm");
 }
 
+TEST(Length, BeyondAKilometreIsAMistypedExponent) {
+  EXPECT_DOUBLE_EQ(parse_length_mm("1000m"), 1e6);
+  EXPECT_EQ(message_of("1e300mm"),
+            "the length '1e300mm' is above 1000 m (--edge); write a shorter one, like 40mm");
+}
+
 TEST(Length, FaultsNameTheTextAndTheOption) {
   EXPECT_EQ(message_of("mm"),
             "'mm' is not a length (--edge); write a number and a unit (mm, cm, m, in, pt), like "

@@ -60,7 +60,12 @@ TEST(TagRequest, SaysItsOwnSizeAndIdsOrTakesTheDefaults) {
 TEST(TagRequest, FaultsAreNamed) {
   EXPECT_NE(complaint("tag16h5", {}).find("the size of the tags is missing (tag16h5); give --edge"),
             std::string::npos);
-  EXPECT_NE(complaint("tag16h5:0mm", {}).find("size zero"), std::string::npos);
+  for (const char* request : {"tag16h5:0mm", "tag16h5:1e-300mm", "tag16h5:0.09mm"}) {
+    EXPECT_NE(complaint(request, {}).find("below 0.1 mm"), std::string::npos) << request;
+  }
+  EXPECT_EQ(complaint("tag16h5:0-3", {}),
+            "'0-3' stands where the size belongs (tag16h5:0-3); write tag16h5::0-3 or "
+            "tag16h5:40mm:0-3");
   EXPECT_NE(complaint("tag16h5:40", {}).find("no unit"), std::string::npos);
   EXPECT_NE(complaint("tag16h5:40mm:30", {}).find("30"), std::string::npos);
 }

@@ -19,6 +19,9 @@ struct Unit {
 constexpr std::array<Unit, 5> kUnits = {
     {{"mm", 1.0}, {"cm", 10.0}, {"m", 1000.0}, {"in", 25.4}, {"pt", 25.4 / 72.0}}};
 
+/// Beyond all paper, rooms and views of a camera: a mistyped exponent.
+constexpr double kMaxLength_mm = 1e6;
+
 constexpr std::string_view kUnitList = "mm, cm, m, in, pt";
 
 }  // namespace
@@ -44,7 +47,12 @@ double parse_length_mm(std::string_view text, std::string_view option) {
     throw UsageError(fmt::format("the length '{}' has the unknown unit '{}'", text, name), option,
                      fmt::format("use one of {}", kUnitList));
   }
-  return number->value * unit->mm;
+  const double mm = number->value * unit->mm;
+  if (mm > kMaxLength_mm) {
+    throw UsageError(fmt::format("the length '{}' is above 1000 m", text), option,
+                     "write a shorter one, like 40mm");
+  }
+  return mm;
 }
 
 }  // namespace tagmint::cli

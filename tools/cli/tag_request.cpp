@@ -12,9 +12,22 @@
 namespace tagmint::cli {
 namespace {
 
+/// Below this the cells come near the steps of 1/256 pt in which a PDF is drawn.
+constexpr double kMinEdge_mm = 0.1;
+
+/// "0-3" and "1,2": ids where the size would stand. A lone number is more likely a bare length.
+bool looks_like_ids(std::string_view text) {
+  return text.find_first_of("-,") != std::string_view::npos && !text.starts_with('-') &&
+         text.find_first_not_of("0123456789-,") == std::string_view::npos;
+}
+
 double edge_of(const TagRequest& request, const std::string& text, const TagDefaults& defaults,
                const codec::Layout& layout) {
   double edge_mm = 0.0;
+  if (looks_like_ids(request.edge)) {
+    throw UsageError(fmt::format("'{}' stands where the size belongs", request.edge), text,
+                     fmt::format("write {0}::{1} or {0}:40mm:{1}", request.family, request.edge));
+  }
   if (!request.edge.empty()) {
     edge_mm = parse_length_mm(request.edge, text);
   } else if (defaults.edge_mm) {
@@ -27,7 +40,10 @@ double edge_of(const TagRequest& request, const std::string& text, const TagDefa
                                  "of the whole tag) or {}:40mm",
                                  request.family));
   }
-  if (edge_mm <= 0) throw UsageError("tags of size zero cannot be", text, "give a size above 0");
+  if (edge_mm < kMinEdge_mm) {
+    throw UsageError(fmt::format("tags with an edge below {} mm cannot be printed", kMinEdge_mm),
+                     text, "give a larger size, like 40mm");
+  }
   return edge_mm;
 }
 
