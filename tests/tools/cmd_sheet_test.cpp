@@ -132,6 +132,10 @@ TEST_F(SheetCommand, UsageFaultsAreNamed) {
   EXPECT_PRED2(has, refused({"tag36h11:4cm", "--label", "{family:3}"}, "a.pdf"), "takes no width");
   EXPECT_PRED2(has, refused({"tag36h11:4cm", "--paper", "a7"}, "a.pdf"), "unknown paper");
   EXPECT_PRED2(has, refused({"tag36h11:4cm", "--title", "\xff"}, "a.pdf"), "UTF-8");
+  EXPECT_PRED2(has, refused({"tag36h11:4cm", "--title", "two\nlines"}, "a.pdf"), "(--title)");
+  EXPECT_PRED2(has, refused({"tag36h11:4cm", "--label", "two\nlines"}, "a.pdf"), "(--label)");
+  EXPECT_PRED2(has, refused({"tag36h11:4cm:0", "--dpi", "nan"}, "a.png"),
+               "'nan' is not a number from 1 to 100000 (--dpi)");
   EXPECT_TRUE(files().empty());
 }
 

@@ -1,7 +1,9 @@
 // `tagmint render` and `tagmint detect` as their users meet them.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -191,6 +193,17 @@ TEST(DetectProgram, StatsGoToStderr) {
   EXPECT_EQ(result.out.find("fit_quads"), std::string::npos);
 }
 
+TEST(DetectProgram, RefusesNumbersOutOfRange) {
+  for (const auto& [option, value, range] :
+       {std::array{"--blur", "1e6", "-100 to 100"}, std::array{"--blur", "nan", "-100 to 100"},
+        std::array{"--decimate", "0", "1 to 1000"},
+        std::array{"--min-margin", "nan", "0 to 255"}}) {
+    expect_fault({"detect", "--family", "tag36h11", "a.png", option, value}, 2,
+                 fmt::format("'{}' is not a number from {} ({}); see 'tagmint detect --help'",
+                             value, range, option));
+  }
+}
+
 TEST(DetectProgram, RefusesOptionsThatDoNotGoTogether) {
   const ScratchFolder folder;
   io::write_png(folder.file("a.png"), detect::Image(64, 64, 90).view());
@@ -209,7 +222,7 @@ TEST(DetectProgram, RefusesOptionsThatDoNotGoTogether) {
   refused({f, "tag16h5", "--edge", "40mm"},
           "poses need the camera (--edge); add --camera FX,FY,CX,CY");
   refused({f, "tag16h5", "--camera", "600,600,320,240"},
-          "poses need the side of the border square (--camera); add --edge LENGTH, for example "
+          "poses need the side of the border square (--camera); add --edge LEN, for example "
           "--edge 40mm");
   refused({f, "tag16h5", "--edge", "40mm", "--camera", "600,600,320"},
           "'600,600,320' has 3 numbers, 4 are needed (--camera); give FX,FY,CX,CY in pixels");
@@ -238,6 +251,14 @@ TEST(RenderProgram, DrawsASceneFileTheSameEveryTime) {
   EXPECT_TRUE(read_file(folder.file("2.pgm")).starts_with("P5"));
 }
 
+TEST(RenderProgram, WithoutACountDrawsWhatFindsRoom) {
+  const ScratchFolder folder;
+  const ProgramResult result =
+      tagmint({"render", "tagCircle49h12", "--size", "320x240", "-o", folder.file("few.png")});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_TRUE(result.err.starts_with("tagmint: 320 x 240 px, ")) << result.err;
+}
+
 TEST(RenderProgram, TellsFaultsInOneLine) {
   const ScratchFolder folder;
   const std::string out = folder.file("x.png");
@@ -253,6 +274,21 @@ TEST(RenderProgram, TellsFaultsInOneLine) {
   expect_fault({"render", "tag36h11", "-o", out, "--background", "textur"}, 2,
                "'textur' is neither a background nor a file (--background); give gray:LEVEL, "
                "gradient:FROM,TO, texture, texture:GRAY,AMPLITUDE or a picture");
+  for (const auto& [option, value, range] :
+       {std::array{"--noise", "nan", "0 to 255"}, std::array{"--blur", "inf", "0 to 1000"},
+        std::array{"--shading", "nan", "0 to 0.99"}, std::array{"--max-tilt", "-5", "0 to 85"},
+        std::array{"--min-side", "nan", "1 to 16384"}}) {
+    expect_fault({"render", "tag36h11", "-o", out, option, value}, 2,
+                 fmt::format("'{}' is not a number from {} ({}); see 'tagmint render --help'",
+                             value, range, option));
+  }
+  for (const char* seed : {"-1", "1.5", "99999999999999999999"}) {
+    expect_fault({"render", "tag36h11", "-o", out, "--seed", seed}, 2,
+                 fmt::format("'{}' is not a seed (--seed); write a whole number from 0 to {}", seed,
+                             "18446744073709551615"));
+  }
+  expect_fault({"render", "tag36h11", "-o", out, "--truth", out}, 2,
+               "image and truth would be the same file (--truth); give each its own");
   const ProgramResult crowded = tagmint({"render", "tag36h11", "-o", out, "--count", "500"});
   EXPECT_EQ(crowded.exit_code, 2);
   EXPECT_NE(crowded.err.find("of 500 tags found room"), std::string::npos) << crowded.err;

@@ -85,9 +85,11 @@ void add_search_options(CLI::App& app, DetectArguments& arguments) {
       ->type_name("LIST")
       ->default_str("all");
   app.add_option("--decimate", arguments.detector.decimate, "look in an image X times smaller")
-      ->type_name("X");
+      ->type_name("X")
+      ->check(number_between(1, 1000));
   app.add_option("--blur", arguments.detector.blur_sigma_px, "blur by S px; below 0: sharpen")
-      ->type_name("S");
+      ->type_name("S")
+      ->check(number_between(-100, 100));
   app.add_option("--max-hamming", arguments.max_hamming, "bit errors to correct")
       ->type_name("N")
       ->check(CLI::Range(0, codec::kMaxBits))
@@ -96,7 +98,7 @@ void add_search_options(CLI::App& app, DetectArguments& arguments) {
   app.add_option("--min-margin", arguments.detector.min_decision_margin,
                  "drop tags of a lower decision margin")
       ->type_name("M")
-      ->check(CLI::Range(0.0, 255.0));
+      ->check(number_between(0, 255));
   app.add_flag("--no-refine", arguments.no_refine, "keep the edges as first found");
 }
 
@@ -106,7 +108,7 @@ void add_output_options(CLI::App& app, DetectArguments& arguments) {
   app.add_option("--distortion", arguments.distortion, "lens distortion")
       ->type_name("K1,K2,P1,P2,K3");
   app.add_option("--edge", arguments.edge, "side of the border square, like 40mm")
-      ->type_name("LENGTH");
+      ->type_name("LEN");
   add_choice(app, "--format", arguments.format, {"text", "jsonl", "csv"}, "form of the results")
       ->default_str("by -o, else text");
   add_output(app, arguments.output);

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <charconv>
+#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -18,11 +20,25 @@
 namespace tagmint::cli {
 namespace {
 
+std::uint64_t parse_seed(std::string_view text) {
+  std::uint64_t seed = 0;
+  const char* end_of_text = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), end_of_text, seed);
+  if (error != std::errc() || end != end_of_text) {
+    throw UsageError(fmt::format("'{}' is not a seed", text), "--seed",
+                     "write a whole number from 0 to 18446744073709551615");
+  }
+  return seed;
+}
+
 int run(const RenderArguments& arguments, const Common& common) {
   const std::vector<std::string> formats = {"png", "pgm", "pnm"};
   const std::string format = choose_format(arguments.format, arguments.output, formats, "png");
   if (is_stdout(arguments.output) && is_stdout(arguments.truth) && !arguments.truth.empty()) {
     throw UsageError("image and truth cannot both go to stdout", "--truth", "give one a file");
+  }
+  if (!is_stdout(arguments.truth) && arguments.truth == arguments.output) {
+    throw UsageError("image and truth would be the same file", "--truth", "give each its own");
   }
   if (!is_stdout(arguments.output)) require_writable(arguments.output);
   if (!is_stdout(arguments.truth)) require_writable(arguments.truth);
@@ -49,29 +65,36 @@ void add_random_options(CLI::App& app, RenderArguments& arguments) {
   app.add_option("--count", arguments.count, "number of tags")
       ->type_name("N")
       ->check(CLI::Range(1, 1'000'000))
-      ->default_str(fmt::format("{}, or all --ids", kDefaultCount))
+      ->default_str(fmt::format("up to {}, or all --ids", kDefaultCount))
       ->group(group);
   app.add_option("--size", arguments.size, "image size, px")->type_name("WxH")->group(group);
   app.add_option("--min-side", random.min_side_px, "smallest border square, px")
       ->type_name("PX")
+      ->check(number_between(1, scene::kMaxSide_px))
       ->group(group);
   app.add_option("--max-side", random.max_side_px, "largest border square, px")
       ->type_name("PX")
+      ->check(number_between(1, scene::kMaxSide_px))
       ->group(group);
   app.add_option("--max-tilt", random.max_tilt_deg, "largest tilt, degrees")
       ->type_name("DEG")
+      ->check(number_between(0, 85))
       ->group(group);
   app.add_option_function<std::string>(
          "--edge",
          [&random](const std::string& text) {
            random.edge_m = parse_length_mm(text, "--edge") / 1000;
+           if (random.edge_m <= 0) {
+             throw UsageError("the edge must be above 0", "--edge", "give its length");
+           }
          },
          "side of the border squares in space")
-      ->type_name("LENGTH")
+      ->type_name("LEN")
       ->default_str("100mm")
       ->group(group);
   app.add_option("--quiet-zone", random.quiet_zone_cells, "white cells around each tag")
       ->type_name("N")
+      ->check(CLI::Range(0, 64))
       ->group(group);
   app.add_option("--background", arguments.background,
                  "gray:LEVEL, gradient:FROM,TO, texture[:GRAY,AMPLITUDE] or a picture")
@@ -79,14 +102,20 @@ void add_random_options(CLI::App& app, RenderArguments& arguments) {
       ->group(group);
   app.add_option("--noise", random.effects.noise_sigma, "sigma of the noise, gray levels")
       ->type_name("S")
+      ->check(number_between(0, 255))
       ->group(group);
   app.add_option("--blur", random.effects.blur_sigma_px, "sigma of the blur, px")
       ->type_name("PX")
+      ->check(number_between(0, 1000))
       ->group(group);
   app.add_option("--shading", random.effects.shading.strength, "share of the light that is lost")
       ->type_name("0..1")
+      ->check(number_between(0, 0.99))
       ->group(group);
-  app.add_option("--seed", random.seed, "another seed, another scene")
+  app.add_option_function<std::string>(
+         "--seed", [&random](const std::string& text) { random.seed = parse_seed(text); },
+         "another seed, another scene")
+      ->default_str(fmt::format("{}", random.seed))
       ->type_name("N")
       ->group(group);
 }

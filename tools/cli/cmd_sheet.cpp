@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -119,7 +120,19 @@ int run_file_a_tag(const Options& options, const SheetTarget& target, draw::Shee
   return kDone;
 }
 
+/// Titles and labels are one line of text; a line break or a tab would be drawn as an empty box.
+void require_one_line(const std::string& text, const char* option) {
+  const bool control =
+      std::any_of(text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; });
+  if (control) {
+    throw UsageError("the text holds a line break or another control character", option,
+                     "write one line of plain text");
+  }
+}
+
 int run(const Options& options, const Common& common) try {
+  require_one_line(options.title, "--title");
+  require_one_line(options.label, "--label");
   const SheetTarget target(options.output, options.format);
   draw::SheetDecor decor{.label = label_format(options, target.is_file_a_tag()),
                          .title = options.title,
@@ -178,7 +191,7 @@ Runner set_up(CLI::App& app, const Common& common) {
   page_only.push_back(
       app.add_option("--title", o.title, "on top of every page")->type_name("TEXT"));
   app.add_option("--dpi", o.dpi, "pixels per inch of PNG files")
-      ->check(CLI::Range(1.0, 100000.0))
+      ->check(number_between(1, 100000))
       ->type_name("N")
       ->capture_default_str();
   add_choice(app, "--format", o.format, {"pdf", "svg", "png"}, "default: by the extension of -o");

@@ -62,7 +62,7 @@ std::optional<draw::AxesSetting> plan_poses(const DetectArguments& arguments) {
   }
   if (arguments.edge.empty()) {
     throw UsageError("poses need the side of the border square", "--camera",
-                     "add --edge LENGTH, for example --edge 40mm");
+                     "add --edge LEN, for example --edge 40mm");
   }
   const double edge_mm = parse_length_mm(arguments.edge, "--edge");
   if (edge_mm <= 0) throw UsageError("the edge must be above 0", "--edge", "give its length");

@@ -100,7 +100,7 @@ std::string program_help(std::span<const Command> commands) {
   text += table_row("FAMILY", "a bundled family (tag36h11) or a family file (my.json)");
   text += table_row("LAYOUT", "classic:W, standard:W, circle:W or custom:ROWS");
   text += table_row("LEN", "a length with its unit: 40mm, 4cm, 0.04m, 1.5in, 12pt");
-  text += table_row("IDS", "ids and ranges: 0-9,12,20-");
+  text += table_row("LIST", "ids and ranges: 0-9,12,20-");
   text += table_row("FILE", "a path; - is stdin or stdout");
   text +=
       "\nExit codes: 0 done, 1 the answer is no, 2 usage error, 3 bad input, 4 no output\n"

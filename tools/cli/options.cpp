@@ -7,6 +7,7 @@
 #include <cctype>
 #include <filesystem>
 
+#include "cli/number.h"
 #include "tagmint/codec/suggest.h"
 
 namespace tagmint::cli {
@@ -73,6 +74,16 @@ CLI::Option* add_output(CLI::App& app, std::string& target, const std::string& d
 CLI::Option* add_family(CLI::App& app, std::string& name_or_path) {
   return app.add_option("FAMILY", name_or_path, "name of a bundled family, or a family file")
       ->required();
+}
+
+std::function<std::string(const std::string&)> number_between(double least, double most) {
+  return [least, most](const std::string& text) {
+    const auto number = leading_number(text);
+    if (number && number->rest.empty() && number->value >= least && number->value <= most) {
+      return std::string();
+    }
+    return fmt::format("'{}' is not a number from {} to {}", text, least, most);
+  };
 }
 
 void add_max_hamming(CLI::App& app, std::optional<int>& max_hamming, bool& unsafe_radius) {

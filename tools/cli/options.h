@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -37,6 +38,9 @@ CLI::Option* add_output(CLI::App& app, std::string& target,
 /// Adds the required positional FAMILY: a bundled name or a path; read it with
 /// codec::load_family().
 CLI::Option* add_family(CLI::App& app, std::string& name_or_path);
+
+/// A check for an option's value: a finite number from `least` to `most`, named in the complaint.
+std::function<std::string(const std::string&)> number_between(double least, double most);
 
 /// Adds --max-hamming and --unsafe-radius.
 void add_max_hamming(CLI::App& app, std::optional<int>& max_hamming, bool& unsafe_radius);

@@ -68,10 +68,12 @@ scene::Scene make_random_scene(const RenderArguments& arguments) {
   std::tie(options.width, options.height) = parse_size(arguments.size);
   options.background = parse_background(arguments.background);
   options.count = arguments.count;
+  bool fewer_will_do = false;
   if (options.count == 0) {
     std::size_t listed = 0;
     for (const scene::TagChoice& choice : choices) listed += choice.ids.size();
     options.count = listed > 0 ? static_cast<int>(listed) : kDefaultCount;
+    fewer_will_do = listed == 0;
   }
   scene::Scene made;
   try {
@@ -79,7 +81,8 @@ scene::Scene make_random_scene(const RenderArguments& arguments) {
   } catch (const std::invalid_argument& complaint) {
     throw usage_error(complaint, "render");
   }
-  if (made.tags.size() < static_cast<std::size_t>(options.count)) {
+  const std::size_t needed = fewer_will_do ? 1 : static_cast<std::size_t>(options.count);
+  if (made.tags.size() < needed) {
     throw UsageError(fmt::format("only {} of {} tags found room", made.tags.size(), options.count),
                      arguments.size,
                      "ask for a smaller --count, smaller --min-side and --max-side or a larger "

@@ -14,7 +14,7 @@ struct RenderArguments {
   std::vector<std::string> inputs;  ///< one scene file, or families
   std::string ids;                  ///< those of the random scene's, "0-9,12"; empty = all
   std::string size = "640x480";
-  int count = 0;  ///< 0 = as many as there are --ids, else kDefaultCount
+  int count = 0;  ///< 0 = as many as there are --ids, else what finds room of kDefaultCount
   std::string background = "texture";
   scene::RandomSceneOptions random;
   std::vector<std::string> random_options;  ///< names of the options given that a file excludes
