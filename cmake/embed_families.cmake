@@ -1,7 +1,7 @@
 # embed_families(<target> <name>...)
 # Compiles families/<name>.json into <target> as raw string literals, one source a family, and
 # writes the list of them in the order given (libcodec/src/embedded_families.h). The sources are
-# made again when a family file changes.
+# made again when a family file changes. `constinit`: families can be asked for before main().
 #
 # Called as a script (cmake -DJSON=... -DSYMBOL=... -DSOURCE=... -P embed_families.cmake), it writes
 # the source of one family.
@@ -11,7 +11,8 @@ if(CMAKE_SCRIPT_MODE_FILE)
     "#include <string_view>\n\n"
     "namespace tagmint::codec {\n"
     "extern const std::string_view ${SYMBOL};\n"
-    "const std::string_view ${SYMBOL} = R\"family(${content})family\";\n"
+    "static const char text[] = R\"family(${content})family\";\n"
+    "constinit const std::string_view ${SYMBOL}(text, sizeof text - 1);\n"
     "}  // namespace tagmint::codec\n")
   return()
 endif()

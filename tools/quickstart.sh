@@ -11,6 +11,7 @@ cmake --preset release -DTAGMINT_BUILD_TESTS=OFF >/dev/null
 cmake --build --preset release --target tagmint -- --quiet
 tagmint=build/release/tagmint
 mkdir -p "$out"
+rm -f "$out"/scan*
 
 # Shows a command, then runs it.
 show() {

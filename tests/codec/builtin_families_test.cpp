@@ -44,6 +44,11 @@ const std::vector<Published> kPublished = {
 };
 // clang-format on
 
+/// Asked for while objects of other files are still being made.
+const std::size_t kSizeBeforeMain = find_family("tagCustom48h12")->size();
+
+TEST(BuiltinFamilies, AreThereBeforeMain) { EXPECT_EQ(kSizeBeforeMain, 42211u); }
+
 TEST(BuiltinFamilies, AreThePublishedOnes) {
   ASSERT_EQ(family_names().size(), kPublished.size());
   for (std::size_t i = 0; i < kPublished.size(); ++i) {
