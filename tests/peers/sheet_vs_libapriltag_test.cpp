@@ -17,7 +17,6 @@
 #include <string>
 
 #include "draw/sheet_writer.h"
-#include "draw/units.h"
 #include "support/rasterise.h"
 #include "support/sheet_samples.h"
 
@@ -72,20 +71,11 @@ class PeerDetector {
 /// Largest distance between a detection's corners and those of the border square in the plan, in
 /// pixels. libapriltag's first corner is the bottom-left one of an upright tag, the next the
 /// bottom-right one.
-double corner_error_px(const apriltag_detection_t& found, const SheetPlan& plan,
-                       const PlacedTag& tag, double dpi) {
-  const TagGroup& group = plan.groups[tag.group];
-  const double scale = dpi / kMmAnInch;
-  const double edge = group.edge_mm * scale;
-  const double border = (tag.outer.width_mm - group.edge_mm) / 2 * scale;
-  const double left = tag.outer.x_mm * scale + border;
-  const double top = tag.outer.y_mm * scale + border;
-  const double expected[4][2] = {
-      {left, top + edge}, {left + edge, top + edge}, {left + edge, top}, {left, top}};
+double corner_error_px(const apriltag_detection_t& found, const detect::Corners& planned) {
   double largest = 0;
   for (int i = 0; i < 4; ++i) {
-    largest = std::max(largest,
-                       std::hypot(found.p[i][0] - expected[i][0], found.p[i][1] - expected[i][1]));
+    largest =
+        std::max(largest, std::hypot(found.p[i][0] - planned[i].x, found.p[i][1] - planned[i].y));
   }
   return largest;
 }
@@ -108,7 +98,9 @@ TEST(SheetVsLibapriltag, EveryTagOfEveryFamilyIsReadUprightAtItsPlace) {
         const auto place = places.find(static_cast<codec::TagId>(detection->id));
         ASSERT_NE(place, places.end()) << peer.name << " id " << detection->id;
         EXPECT_EQ(detection->hamming, 0) << peer.name;
-        EXPECT_LT(corner_error_px(*detection, sheet.plan, *place->second, kDpi), 1.0)
+        EXPECT_LT(
+            corner_error_px(*detection, test::planned_corners(sheet.plan, *place->second, kDpi)),
+            1.0)
             << peer.name << " id " << detection->id;
         places.erase(place);
       }

@@ -2,6 +2,7 @@
 
 #include <numeric>
 
+#include "draw/units.h"
 #include "tagmint/codec/builtin_families.h"
 
 namespace tagmint::test {
@@ -19,6 +20,16 @@ SampleSheet sample_sheet(const std::string& family, double edge_mm, std::size_t 
                                    .header_mm = draw::header_height_mm(decor),
                                    .footer_mm = draw::footer_height_mm(decor, 1)};
   return {draw::plan_sheet(groups, options), decor};
+}
+
+detect::Corners planned_corners(const draw::SheetPlan& plan, const draw::PlacedTag& tag,
+                                double dpi) {
+  const double scale = dpi / draw::kMmAnInch;
+  const double edge = plan.groups[tag.group].edge_mm * scale;
+  const double border = (tag.outer.width_mm * scale - edge) / 2;
+  const double left = tag.outer.x_mm * scale + border;
+  const double top = tag.outer.y_mm * scale + border;
+  return {{{left, top + edge}, {left + edge, top + edge}, {left + edge, top}, {left, top}}};
 }
 
 }  // namespace tagmint::test
