@@ -9,6 +9,7 @@
 #include "draw/sheet_writer.h"
 #include "draw/units.h"
 #include "support/rasterise.h"
+#include "support/scratch_folder.h"
 #include "support/sheet_measure.h"
 #include "support/sheet_samples.h"
 #include "tagmint/codec/builtin_families.h"
@@ -109,7 +110,7 @@ TEST(PrintedSheet, OneFileATagIsAsLargeAsTheTag) {
 }
 
 TEST(PrintedSheet, PdfTellsItsTitleAndPageSize) {
-  const ScratchFolder folder("info");
+  const ScratchFolder folder;
   const SampleSheet sheet = sample_sheet("tag36h11", 40, 25);
   const std::string path =
       folder.write("a.pdf", sheet_pdf(sheet.plan, sheet.decor, "tags of the lab"));
@@ -122,7 +123,7 @@ TEST(PrintedSheet, PdfTellsItsTitleAndPageSize) {
 }
 
 TEST(PrintedSheet, LabelsStandInTheOrderOfTheIds) {
-  const ScratchFolder folder("text");
+  const ScratchFolder folder;
   const SampleSheet sheet = sample_sheet("tag25h9", 30, 35);
   const std::string path = folder.write("a.pdf", sheet_pdf(sheet.plan, sheet.decor, "test"));
   const std::string text = output_of("pdftotext -layout '" + path + "' -");
@@ -137,7 +138,7 @@ TEST(PrintedSheet, LabelsStandInTheOrderOfTheIds) {
 
 #ifdef TAGMINT_HAVE_QPDF
 TEST(PrintedSheet, PdfIsValid) {
-  const ScratchFolder folder("qpdf");
+  const ScratchFolder folder;
   const SampleSheet sheet = sample_sheet("tag36h11", 40, 25);
   const std::string path = folder.write("a.pdf", sheet_pdf(sheet.plan, sheet.decor, "test"));
   EXPECT_NE(output_of("qpdf --check '" + path + "' 2>&1").find("No syntax or stream"),
@@ -147,7 +148,7 @@ TEST(PrintedSheet, PdfIsValid) {
 
 #ifdef TAGMINT_HAVE_XMLLINT
 TEST(PrintedSheet, SvgIsWellFormed) {
-  const ScratchFolder folder("xml");
+  const ScratchFolder folder;
   const SampleSheet sheet = sample_sheet("tag36h11", 40, 12);
   const std::string path = folder.write("a.svg", sheet_svg(sheet.plan, 0, sheet.decor));
   EXPECT_EQ(output_of("xmllint --nonet --noout '" + path + "' 2>&1"), "");

@@ -19,6 +19,11 @@ ScratchFolder::~ScratchFolder() {
   std::filesystem::remove_all(path_, ignored);
 }
 
+std::string ScratchFolder::write(const std::string& name, const std::string& content) const {
+  write_file(file(name), content);
+  return file(name);
+}
+
 std::vector<std::string> ScratchFolder::names() const {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(path_)) {

@@ -17,6 +17,8 @@ class ScratchFolder {
   const std::filesystem::path& path() const { return path_; }
   /// The full path of a file in it.
   std::string file(const std::string& name) const { return (path_ / name).string(); }
+  /// Writes a file in it; its full path.
+  std::string write(const std::string& name, const std::string& content) const;
   /// Names of the files in it, sorted.
   std::vector<std::string> names() const;
 
