@@ -10,19 +10,14 @@
 #include <vector>
 
 #include "search/engines.h"
+#include "support/lexicode_options.h"
 #include "tagmint/codec/layout_presets.h"
 #include "tagmint/codec/rotation.h"
 
 namespace tagmint::codec {
 namespace {
 
-LexicodeOptions options_for(const char* layout, int min_hamming, const char* order,
-                            const char* complexity) {
-  return {.layout = parse_layout(layout),
-          .min_hamming = min_hamming,
-          .order = parse_order(order),
-          .complexity = parse_complexity(complexity)};
-}
+using tagmint::testing::options_for;
 
 /// The definition, word by word.
 LexicodeResult by_definition(const LexicodeOptions& options, std::uint64_t words) {

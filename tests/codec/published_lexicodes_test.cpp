@@ -5,6 +5,7 @@
 #include <string>
 
 #include "search/engines.h"
+#include "support/lexicode_options.h"
 #include "tagmint/codec/builtin_families.h"
 #include "tagmint/codec/family_file.h"
 #include "tagmint/codec/layout_presets.h"
@@ -13,13 +14,7 @@
 namespace tagmint::codec {
 namespace {
 
-LexicodeOptions options_for(const char* layout, int min_hamming, const char* order,
-                            const char* complexity) {
-  return {.layout = parse_layout(layout),
-          .min_hamming = min_hamming,
-          .order = parse_order(order),
-          .complexity = parse_complexity(complexity)};
-}
+using tagmint::testing::options_for;
 
 /// Searches all words and compares with the SHA-256 of the published codes and the bundled family.
 void expect_published(const LexicodeOptions& options, const LexicodeResult& result,

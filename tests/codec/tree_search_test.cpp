@@ -10,19 +10,14 @@
 #include "search/open_positions.h"
 #include "search/search_control.h"
 #include "search/tree_order.h"
+#include "support/lexicode_options.h"
 #include "tagmint/codec/layout_presets.h"
 #include "tagmint/codec/rotation.h"
 
 namespace tagmint::codec {
 namespace {
 
-LexicodeOptions options_for(const char* layout, int min_hamming, const char* order,
-                            const char* complexity) {
-  return {.layout = parse_layout(layout),
-          .min_hamming = min_hamming,
-          .order = parse_order(order),
-          .complexity = parse_complexity(complexity)};
-}
+using tagmint::testing::options_for;
 
 TEST(TreeOrder, RoundTripsAndKeepsOneTurnOfFour) {
   for (const int bits : {16, 17, 20, 21}) {
