@@ -1,14 +1,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <stdexcept>
 #include <stop_token>
 #include <string>
 #include <vector>
 
 #include "search/engines.h"
-#include "search/open_positions.h"
-#include "search/search_control.h"
+#include "search/local_crew.h"
 #include "search/tree_order.h"
 #include "support/lexicode_options.h"
 #include "tagmint/codec/layout_presets.h"
@@ -62,7 +63,22 @@ std::vector<std::uint64_t> open_by_definition(const Walk& walk, const std::vecto
   return open;
 }
 
-TEST(OpenPositions, AreAllWordsThatNoCodeExcludes) {
+/// Ascending walk positions of all turns of the tags.
+std::vector<std::uint64_t> positions_of(const std::vector<Codeword>& tags, const Walk& walk,
+                                        std::uint64_t after) {
+  std::vector<std::uint64_t> positions;
+  for (const Codeword tag : tags) {
+    for (int turn = 0; turn < 4; ++turn) {
+      const std::uint64_t position = walk.position_of(rotate(tag, walk.bits(), turn));
+      if (position > after) positions.push_back(position);
+    }
+  }
+  std::sort(positions.begin(), positions.end());
+  positions.erase(std::unique(positions.begin(), positions.end()), positions.end());
+  return positions;
+}
+
+TEST(LocalCrew, ListsAllWordsThatNoCodeExcludes) {
   struct Case {
     const char* layout;
     int min_hamming;
@@ -70,27 +86,17 @@ TEST(OpenPositions, AreAllWordsThatNoCodeExcludes) {
   for (const auto& [layout, min_hamming] :
        {Case{"classic:8", 2}, Case{"classic:8", 4}, Case{"classic:8", 5}, Case{"classic:8", 8},
         Case{"circle:9", 9}}) {
-    {
-      LexicodeOptions options = options_for(layout, min_hamming, "seed:3", "none");
-      options.limit_words = 1000;
-      const LexicodeResult begun = search_plain(options);
-      const Walk walk(options.layout, options.order, 3);
-      const auto expected = open_by_definition(walk, begun.codewords, min_hamming, 1000);
-      for (int paint_radius = 0; paint_radius < min_hamming; ++paint_radius) {
-        SearchControl control(options);
-        const OpenPositions open = list_open_positions({.walk = walk,
-                                                        .codewords = begun.codewords,
-                                                        .min_hamming = min_hamming,
-                                                        .after = 1000,
-                                                        .last = low_mask(walk.bits()),
-                                                        .most = std::size_t{1} << 22,
-                                                        .threads = 2,
-                                                        .paint_radius = paint_radius},
-                                                       control);
-        EXPECT_EQ(open.end, OpenPositions::End::Done);
-        EXPECT_EQ(open.positions, expected)
-            << layout << " distance " << min_hamming << ", painted from " << paint_radius;
-      }
+    LexicodeOptions options = options_for(layout, min_hamming, "seed:3", "none");
+    options.limit_words = 1000;
+    const LexicodeResult begun = search_plain(options);
+    const Walk walk(options.layout, options.order, 3);
+    const auto expected = open_by_definition(walk, begun.codewords, min_hamming, 1000);
+    for (int paint_radius = 0; paint_radius < min_hamming; ++paint_radius) {
+      LocalCrew crew(rules_of(options), 2, paint_radius);
+      crew.learn(begun.codewords);
+      const auto open = crew.list_open(0, subtree_count(walk.bits()));
+      EXPECT_EQ(positions_of(open, walk, 1000), expected)
+          << layout << " distance " << min_hamming << ", painted from " << paint_radius;
     }
   }
 }
@@ -144,6 +150,54 @@ TEST(TreeSearch, WalksOnWhileTooManyWordsAreOpen) {
   const LexicodeOptions options = options_for("circle:9", 7, "apriltag3", "energy:0.3333");
   const TreeSearchTuning tuning{.least_scanned = 1, .words_per_open_tag = 0, .most_open = 400};
   expect_same(search_by_tree(options, tuning), search_plain(options), "few may be open");
+}
+
+TEST(TreeSearch, ChoosesStretchByStretchOfTheWalk) {
+  const LexicodeOptions options = options_for("circle:9", 6, "apriltag3", "energy:0.3333");
+  const TreeSearchTuning tuning{
+      .least_scanned = 1, .words_per_open_tag = 0, .most_positions = 1000};
+  expect_same(search_by_tree(options, tuning), search_plain(options), "few are held at a time");
+}
+
+/// Where a search stands after each of its rounds.
+std::vector<SearchState> states_of(LexicodeOptions options, const TreeSearchTuning& tuning) {
+  std::vector<SearchState> states(1);
+  options.step = [&](const SearchStep& step) {
+    SearchState state = states.back();
+    state.apply(step);
+    states.push_back(state);
+  };
+  search_by_tree(options, tuning);
+  return states;
+}
+
+TEST(TreeSearch, GoesOnFromWhereverItWas) {
+  LexicodeOptions options = options_for("circle:9", 6, "apriltag2", "energy:0.3333");
+  const TreeSearchTuning tuning{
+      .least_scanned = 2000, .words_per_open_tag = 0, .most_positions = 10000};
+  const LexicodeResult whole = search_plain(options);
+  const std::vector<SearchState> states = states_of(options, tuning);
+  std::array<int, 4> seen{};
+  for (std::size_t i = 0; i < states.size(); i += 1 + states.size() / 50) {
+    options.start = states[i];
+    ++seen[static_cast<int>(states[i].phase)];
+    expect_same(search_by_tree(options, tuning), whole, "round " + std::to_string(i));
+  }
+  EXPECT_GT(seen[static_cast<int>(SearchPhase::Walk)], 0);
+  EXPECT_GT(seen[static_cast<int>(SearchPhase::List)], 0);
+  EXPECT_GT(seen[static_cast<int>(SearchPhase::Choose)], 0);
+}
+
+TEST(TreeSearch, RefusesLimitsThatItHasPassed) {
+  LexicodeOptions options = options_for("circle:9", 6, "seed:1", "none");
+  options.start.words_walked = 100;
+  options.start.codewords = {1, 2, 3};
+  options.start.walked_codes = 3;
+  options.limit_words = 99;
+  EXPECT_THROW(search_lexicode(options), std::invalid_argument);
+  options.limit_words.reset();
+  options.limit_codes = 2;
+  EXPECT_THROW(search_lexicode(options), std::invalid_argument);
 }
 
 TEST(TreeSearch, EndsEarlyWhenAskedTo) {

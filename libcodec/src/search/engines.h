@@ -17,10 +17,10 @@ struct TreeSearchTuning {
   std::uint64_t least_scanned = 1u << 20;
   /// Words of the walk that are visited in the time that one open tag costs later.
   double words_per_open_tag = 10;
-  /// Most open tags that are held; 40 bytes each. While more are expected the walk goes on.
-  std::size_t most_open = std::size_t{1} << 24;
-  /// As OpenWordTree; nothing = chosen by the number of codes.
-  std::optional<int> paint_radius = std::nullopt;
+  /// Most open tags that are held; 8 bytes each. While more are expected the walk goes on.
+  std::size_t most_open = std::size_t{1} << 26;
+  /// Words that phase 3 holds at a time; 8 bytes each.
+  std::size_t most_positions = std::size_t{1} << 24;
 };
 
 /// Whether search_by_tree() can serve a layout of that many bits.

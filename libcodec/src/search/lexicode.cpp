@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "search/engines.h"
+#include "search/search_run.h"
 #include "search/walk_scan.h"
 #include "tagmint/codec/layout_presets.h"
 #include "tagmint/codec/version.h"
@@ -38,14 +39,16 @@ bool tree_pays(const LexicodeOptions& options) {
 }  // namespace
 
 LexicodeResult search_plain(const LexicodeOptions& options) {
-  WalkScan scan(options);
+  SearchRun run(options);
+  WalkScan scan(run);
   std::optional<SearchEnd> end;
   while (!end) end = scan.step();
-  return scan.result(*end);
+  return run.result(*end, run.state().words_walked);
 }
 
 LexicodeResult search_lexicode(const LexicodeOptions& options) {
-  return tree_pays(options) ? search_by_tree(options) : search_plain(options);
+  const bool tree_begun = options.start.phase != SearchPhase::Walk;
+  return tree_begun || tree_pays(options) ? search_by_tree(options) : search_plain(options);
 }
 
 Family make_family(const LexicodeOptions& options, const LexicodeResult& result, std::string name) {

@@ -4,33 +4,33 @@
 #include <chrono>
 #include <cstdint>
 
-#include "search/greedy.h"
-
 namespace tagmint::codec {
 
-/// Chooses how many words the next round takes: few while most words become codes, so that little
-/// is sifted in vain; then more, but never so many that a round keeps a stop or a progress report
-/// waiting. The search's result does not depend on it.
+/// Chooses how much work the next round takes: little while most of it is in vain, then more, but
+/// never so much that a round keeps a stop or a progress report waiting. The search's result does
+/// not depend on it.
 class RoundPacer {
  public:
-  std::uint64_t words() const { return words_; }
+  /// `fewest` and `most` pieces of work in a round that should last `longest`.
+  RoundPacer(std::uint64_t fewest, std::uint64_t most, std::chrono::duration<double> longest)
+      : fewest_(fewest), most_(most), longest_(longest), pieces_(fewest) {}
 
-  void learn(const Greedy::Round& round, std::chrono::duration<double> elapsed) {
-    const bool in_vain = round.overlapping > kOverlapsForFree + round.taken;
-    if (in_vain || elapsed > kLongest) {
-      words_ = std::max(words_ / 2, kFewest);
-    } else if (elapsed < kLongest / 2) {
-      words_ = std::min(words_ * 2, kMost);
+  std::uint64_t pieces() const { return pieces_; }
+
+  /// The last round took so long; `in_vain`: shorter rounds would have saved work.
+  void learn(std::chrono::duration<double> elapsed, bool in_vain = false) {
+    if (in_vain || elapsed > longest_) {
+      pieces_ = std::max(pieces_ / 2, fewest_);
+    } else if (elapsed < longest_ / 2) {
+      pieces_ = std::min(pieces_ * 2, most_);
     }
   }
 
  private:
-  static constexpr std::uint64_t kFewest = 256;
-  static constexpr std::uint64_t kMost = std::uint64_t{1} << 26;  // 2 MiB of bookkeeping
-  static constexpr std::size_t kOverlapsForFree = 16;
-  static constexpr std::chrono::duration<double> kLongest{0.2};
-
-  std::uint64_t words_ = kFewest;
+  std::uint64_t fewest_;
+  std::uint64_t most_;
+  std::chrono::duration<double> longest_;
+  std::uint64_t pieces_;
 };
 
 }  // namespace tagmint::codec

@@ -7,8 +7,7 @@
 
 namespace tagmint::codec {
 
-/// Watches over a running search: when the caller wants it to end, and when to report. Serves the
-/// calling thread alone, but for must_end().
+/// Watches over a running search: when the caller wants it to end, and when to report.
 class SearchControl {
  public:
   /// `options` must outlive the object. The clock starts now.
@@ -23,17 +22,18 @@ class SearchControl {
     return *options_.time_limit - elapsed();
   }
 
-  /// Stopped or TimeLimit when the search must end now. Safe from any thread.
+  /// Stopped or TimeLimit when the search must end now.
   std::optional<SearchEnd> must_end() const {
     if (options_.stop.stop_requested()) return SearchEnd::Stopped;
     if (options_.time_limit && elapsed() >= *options_.time_limit) return SearchEnd::TimeLimit;
     return std::nullopt;
   }
 
-  /// Tells the caller how far the search is, a few times a second.
-  void report(std::uint64_t words_done, double words_total, std::size_t codes) {
+  /// Tells the caller how far the search is, a few times a second; fills in the time.
+  void report(SearchProgress progress) {
     if (!options_.progress || Clock::now() < next_report_) return;
-    options_.progress({words_done, words_total, codes, elapsed().count()});
+    progress.elapsed_s = elapsed().count();
+    options_.progress(progress);
     next_report_ = Clock::now() + kReportEvery;
   }
 

@@ -1,85 +1,59 @@
 #include "search/walk_scan.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <limits>
-#include <stdexcept>
-
-#include "search/parallel.h"
 
 namespace tagmint::codec {
 namespace {
 
-int checked_distance(const LexicodeOptions& options) {
-  const int bits = options.layout.bits();
-  if (options.min_hamming < 1 || options.min_hamming > bits) {
-    throw std::invalid_argument(
-        fmt::format("minimum Hamming distance {} is not possible with {} bits; 1 to {} are",
-                    options.min_hamming, bits, bits));
-  }
-  return options.min_hamming;
-}
-
-Walk walk_of(const LexicodeOptions& options) {
-  return Walk(options.layout, options.order,
-              walk_seed(options.order, options.layout, options.min_hamming, options.complexity));
-}
+constexpr std::uint64_t kFewestWords = 256;
+constexpr std::uint64_t kMostWords = std::uint64_t{1} << 26;
 
 }  // namespace
 
-WalkScan::WalkScan(const LexicodeOptions& options)
-    : options_(options),
-      control_(options),
-      walk_(walk_of(options)),
-      greedy_(options.layout, checked_distance(options), options.complexity, walk_,
-              thread_count(options.threads)),
-      last_(low_mask(options.layout.bits())),
-      max_codes_(options.limit_codes.value_or(std::numeric_limits<std::size_t>::max())) {
-  if (options.limit_words && *options.limit_words <= last_) last_ = *options.limit_words - 1;
-}
-
-SearchEnd WalkScan::end_of_words() const {
-  return last_ == low_mask(walk_.bits()) ? SearchEnd::Complete : SearchEnd::LimitWords;
-}
+WalkScan::WalkScan(SearchRun& run)
+    : run_(run),
+      pacer_(kFewestWords, kMostWords, run.crew().round_length()),
+      words_expected_(run.words_total()) {}
 
 std::optional<SearchEnd> WalkScan::step() {
-  if (options_.limit_words == 0) return SearchEnd::LimitWords;
-  if (greedy_.codewords().size() >= max_codes_) return SearchEnd::LimitCodes;
-  if (const auto end = control_.must_end()) return end;
+  constexpr std::size_t kOverlapsForFree = 16;
+  if (run_.options().limit_words == 0) return SearchEnd::LimitWords;
+  if (run_.codes_left() == 0) return SearchEnd::LimitCodes;
+  const std::uint64_t done = run_.state().words_walked;
+  if (done == run_.last_index() + 1 && done != 0) return run_.end_of_words();
+  if (const auto end = run_.control().must_end()) return end;
 
-  const std::uint64_t beyond_first = last_ - next_;  // words left but one: 2^64 do not fit
-  const std::uint64_t count = std::min(pacer_.words() - 1, beyond_first) + 1;
-  const auto before = control_.elapsed();
-  const Greedy::Round round = greedy_.judge(
-      [this](std::uint64_t first, std::span<Codeword> words) {
-        const Codeword mask = low_mask(walk_.bits());
-        Codeword word = walk_.visited(first + 1);
-        for (Codeword& slot : words) {
-          slot = word;
-          word = (word + Walk::kStep) & mask;
-        }
-      },
-      next_, count, max_codes_);
-  pacer_.learn(round, control_.elapsed() - before);
-  remember(round);
-  next_ += round.judged;
-  control_.report(next_, words_total(), greedy_.codewords().size());
-  if (greedy_.codewords().size() >= max_codes_) return SearchEnd::LimitCodes;
-  if (next_ == last_ + 1) return end_of_words();
+  const std::uint64_t beyond_first = run_.last_index() - done;  // left but one: 2^64 do not fit
+  const std::uint64_t count = std::min(pacer_.pieces() - 1, beyond_first) + 1;
+  const auto before = run_.control().elapsed();
+  const SiftedWords sifted = run_.crew().sift(done, count);
+  const Round round = choose_greedily(sifted, run_.bits(), run_.options().min_hamming, done, count,
+                                      run_.codes_left());
+  run_.advance({SearchPhase::Walk, done + round.judged, round.taken});
+  pacer_.learn(run_.control().elapsed() - before,
+               round.overlapping > kOverlapsForFree + round.taken.size());
+  remember(round.judged, sifted.distant);
+
+  const SearchState& state = run_.state();
+  run_.control().report({.phase = SearchPhase::Walk,
+                         .phase_done = static_cast<double>(state.words_walked),
+                         .phase_total = words_expected_,
+                         .words_done = state.words_walked,
+                         .words_total = run_.words_total(),
+                         .codes = state.codewords.size()});
+  if (run_.codes_left() == 0) return SearchEnd::LimitCodes;
+  if (state.words_walked == run_.last_index() + 1) return run_.end_of_words();
   return std::nullopt;
 }
 
-void WalkScan::remember(const Greedy::Round& round) {
+void WalkScan::remember(std::uint64_t judged, std::uint64_t distant) {
   constexpr double kOpenWordsRemembered = 60;  // a recent share, right to some 15 per cent
   if (recent_open_ > kOpenWordsRemembered) {
     recent_open_ /= 2;
     recent_words_ /= 2;
   }
-  recent_words_ += static_cast<double>(round.judged);
-  recent_open_ += static_cast<double>(round.distant);
+  recent_words_ += static_cast<double>(judged);
+  recent_open_ += static_cast<double>(distant);
 }
-
-LexicodeResult WalkScan::result(SearchEnd end) const { return {greedy_.codewords(), next_, end}; }
 
 }  // namespace tagmint::codec

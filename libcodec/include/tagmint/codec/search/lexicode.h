@@ -11,14 +11,20 @@
 #include "tagmint/codec/complexity.h"
 #include "tagmint/codec/family.h"
 #include "tagmint/codec/layout.h"
+#include "tagmint/codec/search/crew.h"
 #include "tagmint/codec/search/order.h"
+#include "tagmint/codec/search/search_state.h"
 
 namespace tagmint::codec {
 
 /// Where a running search stands.
 struct SearchProgress {
-  /// Words judged; never falls. When the words are not judged one by one, the part of the work
-  /// done.
+  SearchPhase phase = SearchPhase::Walk;
+  /// Words walked, words of the space listed, or words of the walk that the choice has passed; and
+  /// how many there will be as far as can be told.
+  double phase_done = 0;
+  double phase_total = 0;
+  /// Words of the walk that are judged, or the like part of the work; never falls.
   std::uint64_t words_done = 0;
   double words_total = 0;  ///< 2^bits, or limit_words
   std::size_t codes = 0;
@@ -42,7 +48,17 @@ struct LexicodeOptions {
   std::stop_token stop = {};
   /// Called from the calling thread, a few times a second.
   std::function<void(const SearchProgress&)> progress = {};
+  /// Called from the calling thread after each round, a few times a second: what a SearchState that
+  /// starts as `start` must apply() to be able to go on from here.
+  std::function<void(const SearchStep&)> step = {};
+  /// Where an earlier search by the same rules had come to.
+  SearchState start = {};
+  /// Who does the work; nothing = local_crew().
+  CrewMaker crew = {};
 };
+
+/// The part of the options that decides what is found, limits apart.
+SearchRules rules_of(const LexicodeOptions& options);
 
 /// Why a search ended.
 enum class SearchEnd { Complete, LimitWords, LimitCodes, TimeLimit, Stopped };
@@ -56,12 +72,13 @@ struct LexicodeResult {
 /// The greedy lexicode (docs/lexicodes.md): walk all words in `order`; take a word when its own
 /// four turns are pairwise min_hamming apart, it is min_hamming away from all turns of all words
 /// taken, and it is complex enough. The result depends on layout, distance, order and complexity
-/// alone, never on threads. Throws std::invalid_argument for a distance outside 1..bits. Short
-/// walks are gone word by word, long ones through a tree of all words (docs/lexicodes.md).
+/// alone, never on threads, on the crew, or on interruptions. Short walks are gone word by word,
+/// long ones through a tree of all words (docs/lexicodes.md).
+///   errors   std::invalid_argument for a distance outside 1..bits, and for limits that `start` has
+///            already passed
 ///   cost     processor time of complete searches: 25 bits half a second, 36 bits 2 to 15 s, 41
-///   bits
-///            a minute, beyond about 45 bits hours
-///   memory   up to 40 bytes for each of 2^24 tags that are still possible
+///            bits a minute, beyond about 45 bits hours
+///   memory   8 bytes for each of up to 2^26 tags that are still possible, and 0.3 GB
 LexicodeResult search_lexicode(const LexicodeOptions& options);
 
 /// The family that a finished search gives; `name` empty = "tag" + layout prefix + bits + "h" +

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "search/turn_blocks.h"
+#include "tagmint/codec/codeword.h"
+#include "tagmint/codec/complexity.h"
+#include "tagmint/codec/search/crew.h"
+#include "tagmint/codec/search/order.h"
+
+namespace tagmint::codec {
+
+/// Sifts words against the codes that it has learnt, with several threads: what is left is far
+/// enough from all turns of these codes and from its own, and complex enough.
+class Sieve {
+ public:
+  /// Writes words first, first + 1, ... of some order, as the walk visits them, to `words`.
+  using WordSource = std::function<void(std::uint64_t first, std::span<Codeword> words)>;
+
+  /// `walk` must outlive the object; threads >= 1.
+  Sieve(const SearchRules& rules, const Walk& walk, int threads);
+
+  void learn(std::span<const Codeword> codes);
+
+  /// The words `first` .. `first + count - 1` of `source`. The index of a word that is kept is its
+  /// place in that order.
+  ///   cost   O(count * codes / threads) comparisons at worst; memory O(count / 100 + words kept)
+  SiftedWords sift(const WordSource& source, std::uint64_t first, std::uint64_t count);
+
+ private:
+  /// One thread's copy of the codes, in the order that suits it.
+  struct Worker {
+    TurnBlocks blocks;
+    std::size_t known = 0;  // codes of turns_ that are in blocks
+  };
+
+  SiftedWords sift_portion(const WordSource& source, std::uint64_t first, std::size_t count,
+                           TurnBlocks& blocks);
+
+  int bits_;
+  int min_hamming_;
+  ComplexityJudge judge_;
+  const Walk& walk_;
+  std::vector<std::array<Codeword, 4>> turns_;  // as the walk visits them
+  std::vector<Worker> workers_;
+};
+
+}  // namespace tagmint::codec
