@@ -12,8 +12,11 @@
 #include "search/leaf_paint.h"
 #include "search/near_list.h"
 #include "search/turn_blocks.h"
+#include "search/walk_sieve.h"
+#include "tagmint/codec/builtin_families.h"
 #include "tagmint/codec/layout_presets.h"
 #include "tagmint/codec/rotation.h"
+#include "tagmint/codec/search/order.h"
 
 namespace tagmint::codec {
 namespace {
@@ -105,6 +108,32 @@ void PaintLeaf(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations() * 4096);
 }
 BENCHMARK(PaintLeaf);
+
+/// A stretch of 2^log_words words of the walk against the first codes of a bundled family.
+void sieve_walk(benchmark::State& state, const char* name, std::size_t codes, int log_words) {
+  const SharedFamily family = find_family(name);
+  const int bits = family->layout().bits();
+  std::vector<Codeword> turns;
+  for (const Codeword code : family->codewords().first(codes)) {
+    for (int turn = 0; turn < 4; ++turn) turns.push_back(rotate(code, bits, turn));
+  }
+  const std::uint64_t count = std::uint64_t{1} << log_words;
+  const WalkSieve sieve(bits, family->min_hamming(), turns, count);
+  WalkSieve::Scratch scratch;
+  Codeword first = 1;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(sieve.open_words(first, count, scratch));
+    first += count * Walk::kStep;
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(count));
+}
+BENCHMARK_CAPTURE(sieve_walk, 36h11_400_codes, "tag36h11", 400, 22);
+BENCHMARK_CAPTURE(sieve_walk, 41h12_2000_codes, "tagStandard41h12", 2000, 22);
+BENCHMARK_CAPTURE(sieve_walk, 48h12_5000_codes, "tagCustom48h12", 5000, 22);
+BENCHMARK_CAPTURE(sieve_walk, 48h12_20000_codes, "tagCustom48h12", 20000, 24);
+BENCHMARK_CAPTURE(sieve_walk, 48h12_42211_codes, "tagCustom48h12", 42211, 24);
+BENCHMARK_CAPTURE(sieve_walk, 49h12_65535_codes, "tagCircle49h12", 65535, 24);
+BENCHMARK_CAPTURE(sieve_walk, 52h13_48714_codes, "tagStandard52h13", 48714, 24);
 
 }  // namespace
 }  // namespace tagmint::codec
