@@ -9,8 +9,6 @@
 
 #include "search/distance_filter.h"
 #include "search/engines.h"
-#include "search/leaf_paint.h"
-#include "search/near_list.h"
 #include "search/turn_blocks.h"
 #include "search/walk_sieve.h"
 #include "tagmint/codec/builtin_families.h"
@@ -96,18 +94,6 @@ void filter_words(benchmark::State& state, Filter filter) {
 }
 BENCHMARK_CAPTURE(filter_words, vector, keep_distant)->Arg(30)->Arg(587);
 BENCHMARK_CAPTURE(filter_words, scalar, keep_distant_scalar)->Arg(30)->Arg(587);
-
-/// One leaf of 4096 words with 50 balls, as in tag36h11.
-void PaintLeaf(benchmark::State& state) {
-  std::mt19937 random(1);
-  NearList list;
-  for (int i = 0; i < 50; ++i) list.push_back(near_entry(random(), i < 35 ? 3 : 4));
-  const LeafPainter painter;
-  LeafBits leaf;
-  for (auto _ : state) benchmark::DoNotOptimize(painter.paint(list, leaf));
-  state.SetItemsProcessed(state.iterations() * 4096);
-}
-BENCHMARK(PaintLeaf);
 
 /// A stretch of 2^log_words words of the walk against the first codes of a bundled family.
 void sieve_walk(benchmark::State& state, const char* name, std::size_t codes, int log_words) {

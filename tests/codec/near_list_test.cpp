@@ -1,16 +1,17 @@
 #include "search/near_list.h"
 
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include <cstdint>
 #include <random>
 #include <vector>
 
-#include "search/leaf_paint.h"
+#include "support/instruction_sets.h"
 
 namespace tagmint::codec {
 namespace {
+
+using tagmint::testing::with_every_instruction_set;
 
 NearList random_list(std::size_t count, int most_radius, std::uint32_t seed) {
   std::mt19937 random(seed);
@@ -23,19 +24,6 @@ NearList random_list(std::size_t count, int most_radius, std::uint32_t seed) {
 
 std::vector<NearEntry> entries_of(const NearList& list) {
   return {list.data(), list.data() + list.size()};
-}
-
-/// Runs `check` with each instruction set that was compiled and that this machine has.
-template <typename Check>
-void with_every_instruction_set(const Check& check) {
-  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-    hwy::SetSupportedTargetsForTest(target);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-    SCOPED_TRACE(hwy::TargetName(target));
-    check();
-  }
-  hwy::SetSupportedTargetsForTest(0);
-  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
 }
 
 TEST(NearList, EntriesHoldBitsAndASignedRadius) {
@@ -61,11 +49,31 @@ TEST(NearList, NarrowingTakesTheDifferingBitsOffTheRadius) {
 
 TEST(NearList, ExcludesWordsWithinARadius) {
   NearList list;
-  EXPECT_FALSE(list.excludes(0, 16));
+  const std::vector<std::uint32_t> all = {0x00ff, 0x30ff, 0x70ff, 0x1230ff, 0};
+  std::vector<std::uint32_t> words = all;
+  list.exclude_from(words, 16);
+  EXPECT_EQ(words, all) << "nothing excludes";
   list.push_back(near_entry(0x0f00ff, 2));
-  EXPECT_TRUE(list.excludes(0x00ff, 16));
-  EXPECT_TRUE(list.excludes(0x30ff, 16)) << "two bits differ";
-  EXPECT_FALSE(list.excludes(0x70ff, 16)) << "three bits differ";
+  list.exclude_from(words, 16);
+  EXPECT_EQ(words, (std::vector<std::uint32_t>{0x70ff, 0})) << "three bits differ, and eight";
+}
+
+TEST(NearList, TakesSomeEntriesByTheirRadius) {
+  NearList source;
+  for (const int radius : {0, 1, 2, 3, 4, 2}) source.push_back(near_entry(0x100 + radius, radius));
+  NearList some;
+  some.append_some(source, 2, 3);
+  EXPECT_EQ(entries_of(some),
+            (std::vector{near_entry(0x102, 2), near_entry(0x103, 3), near_entry(0x102, 2)}));
+}
+
+TEST(NearList, TakesTheTurnsThatReachASubtree) {
+  const std::vector<Codeword> turns = {0xab0000000123, 0xab0001000123, 0xa90000000123,
+                                       0xa80000000123};
+  NearList list;
+  list.append_reaching(SplitTurns(turns), 0xab0000000000, 24, 1);
+  EXPECT_EQ(entries_of(list),
+            (std::vector{near_entry(0x123, 1), near_entry(0x123, 0), near_entry(0x123, 0)}));
 }
 
 TEST(NearList, NarrowingIsTheSameWithEveryInstructionSet) {
@@ -88,43 +96,43 @@ TEST(NearList, NarrowingIsTheSameWithEveryInstructionSet) {
 
 TEST(NearList, ExclusionIsTheSameWithEveryInstructionSet) {
   with_every_instruction_set([] {
-    for (const std::size_t count : {0, 1, 15, 16, 17, 100}) {
+    for (const std::size_t count : {0, 1, 15, 16, 17, 63, 64, 65, 200}) {
       const NearList list = random_list(count, 4, 8);
       std::mt19937 random(9);
-      for (int i = 0; i < 200; ++i) {
-        const std::uint32_t word = random() & 0xffff;
-        EXPECT_EQ(list.excludes(word, 16),
-                  near_kernels::excludes_scalar(list.data(), count, word, 0xffff));
-      }
+      std::vector<std::uint32_t> words(200);
+      for (std::uint32_t& word : words) word = random() & 0xffff;
+      std::vector<std::uint32_t> expected = words;
+      expected.resize(near_kernels::keep_open_scalar(list.data(), count, expected, 0xffff));
+      list.exclude_from(words, 16);
+      EXPECT_EQ(words, expected) << count << " entries";
     }
   });
 }
 
-TEST(LeafPainter, PaintsHammingBallsWithEveryInstructionSet) {
-  const LeafPainter painter;
+TEST(NearList, ReachingTurnsAreTheSameWithEveryInstructionSet) {
+  std::mt19937_64 random(10);
+  std::vector<Codeword> turns(401);
+  for (Codeword& turn : turns) turn = random();
   with_every_instruction_set([&] {
-    for (const std::size_t count : {0, 1, 2, 9, 60}) {
-      for (const int most_radius : {0, 3, 6, 12, 40}) {
-        const NearList list = random_list(count, most_radius, 10);
-        LeafBits painted;
-        LeafBits expected;
-        const bool full = painter.paint(list, painted);
-        EXPECT_EQ(full, LeafPainter::paint_scalar(list, expected));
-        EXPECT_EQ(painted.elements, expected.elements)
-            << count << " balls of radius up to " << most_radius;
+    for (const std::size_t count : {0, 1, 15, 16, 17, 401}) {
+      for (const int bits : {16, 24, 36, 48, 61}) {
+        for (const int undecided : {16, 20, 24}) {
+          if (undecided > bits) continue;
+          std::vector<Codeword> words(turns.begin(), turns.begin() + count);
+          for (Codeword& word : words) word &= low_mask(bits);
+          const SplitTurns split(words);
+          const Codeword prefix = 0x123456789abcdef0 & low_mask(bits) & ~low_mask(undecided);
+          const near_kernels::Subtree subtree{prefix, static_cast<NearEntry>(low_mask(undecided)),
+                                              (bits - undecided) / 2};
+          std::vector<NearEntry> expected(count + NearList::kPadding);
+          expected.resize(near_kernels::reach_scalar(split, subtree, expected.data()));
+          NearList list;
+          list.append_reaching(split, prefix, undecided, subtree.radius);
+          EXPECT_EQ(entries_of(list), expected) << count << " turns of " << bits << " bits";
+        }
       }
     }
   });
-}
-
-TEST(LeafPainter, TellsWhenNothingIsLeft) {
-  const LeafPainter painter;
-  NearList list;
-  LeafBits leaf;
-  list.push_back(near_entry(0x123, 11));
-  EXPECT_FALSE(painter.paint(list, leaf)) << "the opposite word is left";
-  list.push_back(near_entry(~0x123u, 0));
-  EXPECT_TRUE(painter.paint(list, leaf));
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
+#include <utility>
 
 #define HWY_WANT_AVX3_DL
 #undef HWY_TARGET_INCLUDE
@@ -9,73 +11,120 @@
 #include <hwy/foreach_target.h>  // compiles this file once for each instruction set
 #include <hwy/highway.h>
 
-HWY_BEFORE_NAMESPACE();
-namespace tagmint::codec::HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
+#ifndef TAGMINT_CODEC_SEARCH_LEAF_PAINT_SHELLS
+#define TAGMINT_CODEC_SEARCH_LEAF_PAINT_SHELLS
+namespace tagmint::codec::leaf_paint {
 
-/// kStepsDown[top][row]: elements by which the ball of a row lies below that of row `top`.
-constexpr auto kStepsDown = [] {
-  std::array<std::array<std::ptrdiff_t, LeafPainter::kRows>, LeafPainter::kRows> steps{};
-  for (unsigned top = 0; top < LeafPainter::kRows; ++top) {
-    for (unsigned row = 0; row < LeafPainter::kRows; ++row) {
-      steps[top][row] = std::popcount(top ^ row) * LeafPainter::kRadiusStride;
+/// The differences between two row numbers, the ones with fewer bits first.
+inline constexpr auto kDifferences = [] {
+  std::array<std::size_t, TwigBits::kRows> differences{};
+  std::size_t next = 0;
+  for (int bits = 0; bits <= LeafPainter::kMostDepth; ++bits) {
+    for (std::size_t difference = 0; difference < TwigBits::kRows; ++difference) {
+      if (std::popcount(difference) == bits) differences[next++] = difference;
     }
   }
-  return steps;
+  return differences;
 }();
 
-/// `balls` points at radius 0, centre 0.
-bool paint_vector(const NearEntry* entries, std::size_t count, const std::uint64_t* balls,
-                  std::uint64_t* leaf) {
-  const hn::CappedTag<std::uint64_t, LeafPainter::kRowElements> d;
-  auto everywhere = hn::Set(d, ~std::uint64_t{0});
-  // With vectors shorter than a row, one piece of all rows after the other.
-  for (std::size_t piece = 0; piece < LeafPainter::kRowElements; piece += hn::Lanes(d)) {
-    auto row0 = hn::Zero(d), row1 = row0, row2 = row0, row3 = row0;
-    auto row4 = row0, row5 = row0, row6 = row0, row7 = row0;
-    for (std::size_t i = 0; i < count; ++i) {
-      const NearEntry entry = entries[i];
-      const auto radius = static_cast<std::ptrdiff_t>(std::min(entry >> kNearBits, NearEntry{12}));
-      const std::ptrdiff_t centre = entry & ((1u << LeafPainter::kRowBits) - 1);
-      const std::uint64_t* ball =
-          balls + radius * LeafPainter::kRadiusStride + centre * LeafPainter::kRowElements + piece;
-      const auto& down = kStepsDown[entry >> LeafPainter::kRowBits & 7];
-      row0 = hn::Or(row0, hn::Load(d, ball - down[0]));
-      row1 = hn::Or(row1, hn::Load(d, ball - down[1]));
-      row2 = hn::Or(row2, hn::Load(d, ball - down[2]));
-      row3 = hn::Or(row3, hn::Load(d, ball - down[3]));
-      row4 = hn::Or(row4, hn::Load(d, ball - down[4]));
-      row5 = hn::Or(row5, hn::Load(d, ball - down[5]));
-      row6 = hn::Or(row6, hn::Load(d, ball - down[6]));
-      row7 = hn::Or(row7, hn::Load(d, ball - down[7]));
-    }
-    constexpr std::size_t kRow = LeafPainter::kRowElements;
-    hn::Store(row0, d, leaf + piece);
-    hn::Store(row1, d, leaf + kRow + piece);
-    hn::Store(row2, d, leaf + 2 * kRow + piece);
-    hn::Store(row3, d, leaf + 3 * kRow + piece);
-    hn::Store(row4, d, leaf + 4 * kRow + piece);
-    hn::Store(row5, d, leaf + 5 * kRow + piece);
-    hn::Store(row6, d, leaf + 6 * kRow + piece);
-    hn::Store(row7, d, leaf + 7 * kRow + piece);
-    const auto upper = hn::And(hn::And(row0, row1), hn::And(row2, row3));
-    const auto lower = hn::And(hn::And(row4, row5), hn::And(row6, row7));
-    everywhere = hn::And(everywhere, hn::And(upper, lower));
+/// kShellStart[d]: the first of kDifferences with d bits.
+inline constexpr auto kShellStart = [] {
+  std::array<std::size_t, LeafPainter::kMostDepth + 2> start{};
+  for (int depth = 0; depth <= LeafPainter::kMostDepth; ++depth) {
+    start[depth + 1] = start[depth] + static_cast<std::size_t>(std::count_if(
+                                          kDifferences.begin(), kDifferences.end(),
+                                          [=](auto d) { return std::popcount(d) == depth; }));
   }
-  return hn::AllTrue(d, hn::Eq(everywhere, hn::Set(d, ~std::uint64_t{0})));
+  return start;
+}();
+
+}  // namespace tagmint::codec::leaf_paint
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace tagmint::codec::leaf_paint::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Tag = hn::CappedTag<std::uint64_t, TwigBits::kRowElements>;
+
+/// Paints one piece of a ball on the rows that differ from the centre's row in kDepth bits.
+///   piece   of the ball
+///   rows    the same piece of row 0
+template <int kDepth, std::size_t... kIndex>
+HWY_INLINE void paint_shell(hn::Vec<Tag> piece, std::size_t row, std::uint64_t* rows,
+                            std::index_sequence<kIndex...>) {
+  const Tag d;
+  const auto paint_row = [&](std::size_t difference) HWY_ATTR {
+    std::uint64_t* target = rows + (row ^ difference) * TwigBits::kRowElements;
+    hn::Store(hn::Or(hn::Load(d, target), piece), d, target);
+  };
+  (paint_row(kDifferences[kShellStart[kDepth] + kIndex]), ...);
 }
 
-}  // namespace tagmint::codec::HWY_NAMESPACE
+/// Paints one piece of a ball on the rows up to kDepth bits from the centre's.
+///   ball   that piece of the ball on the centre's row
+template <int kDepth>
+HWY_INLINE void paint_shells(const std::uint64_t* ball, std::size_t row, std::uint64_t* rows) {
+  if constexpr (kDepth > 0) paint_shells<kDepth - 1>(ball, row, rows);
+  const std::uint64_t* smaller = ball - kDepth * LeafPainter::kRadiusStride;
+  paint_shell<kDepth>(hn::Load(Tag(), smaller), row, rows,
+                      std::make_index_sequence<kShellStart[kDepth + 1] - kShellStart[kDepth]>());
+}
+
+/// `balls` points at the ball about centre 0.
+template <int kDepth>
+void paint_balls(const NearEntry* entries, std::size_t count, const std::uint64_t* balls,
+                 std::uint64_t* twig) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const NearEntry entry = entries[i];
+    const std::size_t centre = entry & ((1u << TwigBits::kRowBits) - 1);
+    const std::size_t row = entry >> TwigBits::kRowBits & (TwigBits::kRows - 1);
+    const std::uint64_t* ball = balls + centre * TwigBits::kRowElements;
+    // With vectors shorter than a row, one piece of all rows after the other.
+    for (std::size_t at = 0; at < TwigBits::kRowElements; at += hn::Lanes(Tag())) {
+      paint_shells<kDepth>(ball + at, row, twig + at);
+    }
+  }
+}
+
+void paint_vector(const NearEntry* entries, std::size_t count, const std::uint64_t* balls,
+                  int depth, std::uint64_t* twig) {
+  constexpr std::array kByDepth = {paint_balls<0>, paint_balls<1>, paint_balls<2>, paint_balls<3>,
+                                   paint_balls<4>, paint_balls<5>, paint_balls<6>, paint_balls<7>};
+  static_assert(kByDepth.size() == LeafPainter::kMostDepth + 1);
+  kByDepth[depth](entries, count, balls, twig);
+}
+
+/// Writes the numbers of the elements of a leaf that are not full to `numbers`, which has room for
+/// all of them; returns how many. Nearly all rows are full.
+std::size_t find_gaps_vector(const std::uint64_t* leaf, unsigned* numbers) {
+  const Tag d;
+  constexpr unsigned kElements = LeafPainter::kLeafElements;
+  const std::uint64_t full = ~std::uint64_t{0};
+  std::size_t found = 0;
+  for (unsigned first = 0; first < kElements; first += hn::Lanes(d)) {
+    if (hn::AllTrue(d, hn::Eq(hn::Load(d, leaf + first), hn::Set(d, full)))) continue;
+    for (unsigned element = first; element < first + hn::Lanes(d); ++element) {
+      numbers[found] = element;
+      found += leaf[element] != full;
+    }
+  }
+  return found;
+}
+
+}  // namespace tagmint::codec::leaf_paint::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace tagmint::codec {
-
+namespace leaf_paint {
 HWY_EXPORT(paint_vector);
+HWY_EXPORT(find_gaps_vector);
+}  // namespace leaf_paint
 
 LeafPainter::LeafPainter() {
-  constexpr unsigned kCentres = 1u << kRowBits;
-  for (int radius = kLeastRadius; radius <= kMostRadius; ++radius) {
+  constexpr unsigned kCentres = 1u << TwigBits::kRowBits;
+  for (int radius = 0; radius <= kMostRadius; ++radius) {
     for (unsigned centre = 0; centre < kCentres; ++centre) {
       Row& row = balls_.emplace_back();
       row.elements.fill(0);
@@ -88,24 +137,42 @@ LeafPainter::LeafPainter() {
   }
 }
 
-bool LeafPainter::paint(const NearList& list, LeafBits& leaf) const {
-  const std::uint64_t* balls = balls_.front().elements.data() - kLeastRadius * kRadiusStride;
-  return HWY_DYNAMIC_DISPATCH(paint_vector)(list.data(), list.size(), balls, leaf.elements.data());
+void LeafPainter::paint(const NearList& list, int radius, int depth, TwigBits& twig) const {
+  assert(radius >= 0 && depth >= 0 && depth <= kMostDepth);
+  radius = std::min(radius, kMostRadius);
+  depth = std::min(depth, radius);  // there are no balls of negative radius
+  using namespace leaf_paint;
+  const std::uint64_t* balls = balls_.front().elements.data() + radius * kRadiusStride;
+  HWY_DYNAMIC_DISPATCH(paint_vector)
+  (list.data(), list.size(), balls, depth, twig.elements.data());
 }
 
-bool LeafPainter::paint_scalar(const NearList& list, LeafBits& leaf) {
-  leaf.elements.fill(0);
-  constexpr unsigned kWords = 4096;
+void LeafPainter::append_unpainted(const TwigBits& twig, unsigned leaf, std::uint32_t prefix,
+                                   std::vector<std::uint32_t>& words) {
+  using namespace leaf_paint;
+  const std::size_t start = leaf * kLeafElements;
+  std::array<unsigned, kLeafElements + 1> gaps;
+  const std::size_t count =
+      HWY_DYNAMIC_DISPATCH(find_gaps_vector)(twig.elements.data() + start, gaps.data());
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t element = start + gaps[i];
+    const std::uint32_t first = prefix | static_cast<std::uint32_t>(element * 64);
+    for (std::uint64_t left = ~twig.elements[element]; left != 0; left &= left - 1) {
+      words.push_back(first | static_cast<std::uint32_t>(std::countr_zero(left)));
+    }
+  }
+}
+
+void LeafPainter::paint_scalar(const NearList& list, int radius, int depth, TwigBits& twig) {
   for (std::size_t i = 0; i < list.size(); ++i) {
-    const NearEntry entry = list.data()[i];
-    for (unsigned word = 0; word < kWords; ++word) {
-      if (std::popcount((entry ^ word) & (kWords - 1)) <= radius_of(entry)) {
-        leaf.elements[word / 64] |= std::uint64_t{1} << (word % 64);
+    for (unsigned word = 0; word < 1u << TwigBits::kWordBits; ++word) {
+      const unsigned differing = (list.data()[i] ^ word) & ((1u << TwigBits::kWordBits) - 1);
+      if (std::popcount(differing) <= radius &&
+          std::popcount(differing >> TwigBits::kRowBits) <= depth) {
+        twig.elements[word / 64] |= std::uint64_t{1} << (word % 64);
       }
     }
   }
-  return std::all_of(leaf.elements.begin(), leaf.elements.end(),
-                     [](std::uint64_t element) { return element == ~std::uint64_t{0}; });
 }
 
 }  // namespace tagmint::codec

@@ -4,6 +4,16 @@
 
 namespace tagmint::codec {
 
+SplitTurns::SplitTurns(std::span<const Codeword> turns)
+    : size_(turns.size()),
+      upper_(turns.size() + NearList::kPadding),
+      lower_(turns.size() + NearList::kPadding) {
+  for (std::size_t i = 0; i < turns.size(); ++i) {
+    upper_[i] = static_cast<std::uint32_t>(turns[i] >> 32);
+    lower_[i] = static_cast<std::uint32_t>(turns[i]);
+  }
+}
+
 void NearList::pad() {
   std::fill_n(entries_.begin() + static_cast<std::ptrdiff_t>(size_), kPadding, kNothing);
 }
@@ -28,8 +38,24 @@ void NearList::append_narrowed(const NearList& parent, unsigned nibble, int shif
   pad();
 }
 
-bool NearList::excludes(std::uint32_t word, int bits) const {
-  return near_kernels::excludes(data(), size(), word, (NearEntry{1} << bits) - 1);
+void NearList::append_some(const NearList& source, int least, int most) {
+  make_room(source.size());
+  const near_kernels::Narrowing narrowing{0, 0, near_entry(0, least), near_entry(0, most + 1)};
+  size_ += near_kernels::narrow(source.data(), source.size(), narrowing, entries_.data() + size_);
+  pad();
+}
+
+void NearList::append_reaching(const SplitTurns& turns, Codeword prefix, int undecided,
+                               int radius) {
+  make_room(turns.size());
+  const near_kernels::Subtree subtree{prefix, static_cast<NearEntry>(low_mask(undecided)), radius};
+  size_ += near_kernels::reach(turns, subtree, entries_.data() + size_);
+  pad();
+}
+
+void NearList::exclude_from(std::vector<std::uint32_t>& words, int bits) const {
+  words.resize(
+      near_kernels::keep_open(data(), size(), words, static_cast<NearEntry>(low_mask(bits))));
 }
 
 }  // namespace tagmint::codec

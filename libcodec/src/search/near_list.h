@@ -2,7 +2,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
+
+#include "tagmint/codec/codeword.h"
 
 namespace tagmint::codec {
 
@@ -22,13 +25,29 @@ constexpr int radius_of(NearEntry entry) {
   return static_cast<std::int32_t>(entry) >> kNearBits;  // arithmetic shift: keeps the sign
 }
 
+/// Turns of codes in halves, for vectors of 32-bit lanes.
+class SplitTurns {
+ public:
+  explicit SplitTurns(std::span<const Codeword> turns);
+  std::size_t size() const { return size_; }
+  /// The bits 32..63 and 0..31 of each turn, with room for a vector to read on behind the last.
+  const std::uint32_t* upper() const { return upper_.data(); }
+  const std::uint32_t* lower() const { return lower_.data(); }
+
+ private:
+  std::size_t size_;
+  std::vector<std::uint32_t> upper_;
+  std::vector<std::uint32_t> lower_;
+};
+
 /// The code turns that may still exclude words below a node. Behind the last entry there always is
-/// a vector full of entries of radius -1, which exclude nothing, so that loops run over whole
+/// some vectors full of entries of radius -1, which exclude nothing, so that loops run over whole
 /// vectors.
 class NearList {
  public:
-  /// Lanes of the widest vector in use: how many entries the loops may read behind the last one.
-  static constexpr std::size_t kPadding = 16;
+  /// Lanes of four of the widest vectors in use: how many entries the loops may read behind the
+  /// last one.
+  static constexpr std::size_t kPadding = 64;
 
   NearList() : entries_(kPadding, kNothing) {}
 
@@ -48,8 +67,19 @@ class NearList {
   ///   least    >= 0
   void append_narrowed(const NearList& parent, unsigned nibble, int shift, int least, int most);
 
-  /// Whether an entry excludes `word`: differs from its low `bits` bits in at most its radius.
-  bool excludes(std::uint32_t word, int bits) const;
+  /// Adds the entries of `source` with a radius in least .. most.
+  ///   least    >= 0
+  void append_some(const NearList& source, int least, int most);
+
+  /// Adds those of `turns` that may exclude words of a subtree.
+  ///   prefix      the decided bits of the subtree in place, the others 0
+  ///   undecided   number of the others, at most kNearBits
+  ///   radius      that a turn has for whole words
+  void append_reaching(const SplitTurns& turns, Codeword prefix, int undecided, int radius);
+
+  /// Takes away from `words` those that an entry excludes: from which it differs in at most its
+  /// radius of the low `bits` bits. Keeps the order.
+  void exclude_from(std::vector<std::uint32_t>& words, int bits) const;
 
  private:
   static constexpr NearEntry kNothing = near_entry(0, -1);
@@ -77,9 +107,25 @@ std::size_t narrow(const NearEntry* entries, std::size_t count, const Narrowing&
 std::size_t narrow_scalar(const NearEntry* entries, std::size_t count, const Narrowing& narrowing,
                           NearEntry* out);
 
-bool excludes(const NearEntry* entries, std::size_t count, std::uint32_t word, NearEntry mask);
-bool excludes_scalar(const NearEntry* entries, std::size_t count, std::uint32_t word,
-                     NearEntry mask);
+/// The subtree that entries are made for.
+struct Subtree {
+  Codeword prefix;  ///< the decided bits in place, the others 0
+  NearEntry mask;   ///< the undecided bits
+  int radius;       ///< of the turns for whole words
+};
+
+/// Writes entries for the turns with a radius left >= 0 to `out`, which has room for turns.size() +
+/// NearList::kPadding; returns their number.
+std::size_t reach(const SplitTurns& turns, const Subtree& subtree, NearEntry* out);
+std::size_t reach_scalar(const SplitTurns& turns, const Subtree& subtree, NearEntry* out);
+
+/// Moves the words that no entry excludes to the front; returns their number. `entries` are padded
+/// as a NearList's.
+///   mask   the bits that count
+std::size_t keep_open(const NearEntry* entries, std::size_t count, std::span<std::uint32_t> words,
+                      NearEntry mask);
+std::size_t keep_open_scalar(const NearEntry* entries, std::size_t count,
+                             std::span<std::uint32_t> words, NearEntry mask);
 
 }  // namespace near_kernels
 }  // namespace tagmint::codec

@@ -1,7 +1,6 @@
 #include "search/open_word_tree.h"
 
 #include <algorithm>
-#include <bit>
 #include <cassert>
 
 namespace tagmint::codec {
@@ -9,6 +8,9 @@ namespace {
 
 /// Bits still undecided at a node with `level` orbits to decide above the leaves.
 constexpr int undecided_bits(int level) { return TreeOrder::kLeafBits + 4 * level; }
+
+/// Fewest words that pay for narrowing a tier; measured, and of little weight.
+constexpr std::size_t kWorthNarrowing = 8;
 
 }  // namespace
 
@@ -18,7 +20,8 @@ OpenWordTree::OpenWordTree(const TreeOrder& order, const LeafPainter& painter,
       painter_(painter),
       turns_(turns),
       radius_(radius),
-      paint_radius_(paint_radius) {
+      paint_radius_(paint_radius),
+      row_radius_(std::max(0, paint_radius - 1)) {
   assert(radius >= 0 && paint_radius >= 0 && paint_radius <= radius);
   for (Node& node : nodes_) node.tiers.resize(paint_radius + 1);
 }
@@ -40,80 +43,85 @@ void OpenWordTree::list_subtree(std::uint64_t subtree, std::vector<Codeword>& op
     ties = TreeOrder::after(ties, nibble);
   }
   const Codeword prefix = subtree << undecided_bits(level);
-  make_root(prefix);
-  descend(level, prefix, ties, open);
+  reaching_.clear();
+  reaching_.append_reaching(turns_, prefix, undecided_bits(level), radius_);
+  nodes_[level].made = 0;
+  open_.clear();
+  descend(level, 0, ties);
+  for (const SubtreeWord word : open_) open.push_back(prefix | word);
 }
 
-void OpenWordTree::make_root(Codeword prefix) {
-  const int level = subtree_levels(order_);
-  const Codeword undecided = low_mask(undecided_bits(level));
-  Node& root = nodes_[level];
-  for (NearList& list : root.tiers) list.clear();
-  for (const Codeword turn : turns_) {
-    const int left = radius_ - hamming_distance(turn & ~undecided, prefix);
-    if (left < 0) continue;
-    root.tiers[std::max(0, paint_radius_ - left)].push_back(
-        near_entry(static_cast<std::uint32_t>(turn & undecided), left));
+void OpenWordTree::descend(int level, SubtreeWord prefix, TreeOrder::Ties ties) {
+  if (level == kTwigLevel) {
+    paint_twig(prefix, ties);
+  } else {
+    const int shift = undecided_bits(level - 1);
+    for (unsigned nibble = 0; nibble < 16; ++nibble) {
+      if (TreeOrder::breaks_order(ties, nibble)) continue;
+      Node& child = nodes_[level - 1];
+      child.nibble = nibble;
+      child.made = 0;
+      descend(level - 1, prefix | nibble << shift, TreeOrder::after(ties, nibble));
+    }
   }
-  root.made = paint_radius_ + 1;
-}
-
-void OpenWordTree::descend(int level, Codeword prefix, TreeOrder::Ties ties,
-                           std::vector<Codeword>& open) {
-  if (level == 1) return list_twig(prefix, ties, open);
-  const int shift = undecided_bits(level - 1);
-  for (unsigned nibble = 0; nibble < 16; ++nibble) {
-    if (TreeOrder::breaks_order(ties, nibble)) continue;
-    Node& child = nodes_[level - 1];
-    child.nibble = nibble;
-    child.made = 0;
-    descend(level - 1, prefix | Codeword{nibble} << shift, TreeOrder::after(ties, nibble), open);
-  }
+  ask(level);
 }
 
 const NearList& OpenWordTree::tier(int level, int tier) {
   Node& node = nodes_[level];
+  const bool is_root = level == subtree_levels(order_);
   for (; node.made <= tier; ++node.made) {
     NearList& list = node.tiers[node.made];
+    const int least = least_radius(node.made);
+    const int most = most_radius(node.made);
     list.clear();
+    if (is_root) {
+      list.append_some(reaching_, least, most);
+      continue;
+    }
     // A radius only shrinks on the way down, so that the tiers further down the parent's list give
     // nothing to this one.
     for (int from = 0; from <= node.made; ++from) {
-      list.append_narrowed(this->tier(level + 1, from), node.nibble, undecided_bits(level),
-                           least_radius(node.made), most_radius(node.made));
+      list.append_narrowed(this->tier(level + 1, from), node.nibble, undecided_bits(level), least,
+                           most);
     }
   }
   return node.tiers[tier];
 }
 
-void OpenWordTree::list_twig(Codeword prefix, TreeOrder::Ties ties, std::vector<Codeword>& open) {
-  constexpr int kLevel = 1;
-  unpainted_.clear();
-  const NearList& painted = tier(kLevel, 0);
-  LeafBits leaf;
-  for (unsigned nibble = 0; nibble < 16; ++nibble) {
-    if (TreeOrder::breaks_order(ties, nibble)) continue;
-    leaf_list_.clear();
-    leaf_list_.append_narrowed(painted, nibble, TreeOrder::kLeafBits, least_radius(0),
-                               most_radius(0));
-    if (!painter_.paint(leaf_list_, leaf)) collect_unpainted(nibble, leaf);
+void OpenWordTree::paint_twig(SubtreeWord prefix, TreeOrder::Ties ties) {
+  const NearList& balls = tier(kTwigLevel, 0);
+  twig_.elements.fill(0);
+  // Balls of the same radius together, so that the loops of the painter are alike for all.
+  std::size_t left = balls.size();
+  for (int radius = paint_radius_; left > 0; ++radius) {
+    equal_balls_.clear();
+    equal_balls_.append_some(balls, radius, radius);
+    const int depth = std::clamp(radius - row_radius_, 0, LeafPainter::kMostDepth);
+    painter_.paint(equal_balls_, radius, depth, twig_);
+    left -= equal_balls_.size();
   }
-  // Tier 0 once more: balls whose radius fell below the paint radius on the last step.
-  for (int t = 0; t <= paint_radius_ && !unpainted_.empty(); ++t) {
-    const NearList& list = tier(kLevel, t);
-    std::erase_if(unpainted_,
-                  [&](std::uint32_t word) { return list.excludes(word, undecided_bits(kLevel)); });
+  for (unsigned leaf = 0; leaf < 16; ++leaf) {
+    if (TreeOrder::breaks_order(ties, leaf)) continue;
+    LeafPainter::append_unpainted(twig_, leaf, prefix, nodes_[kTwigLevel].waiting);
   }
-  for (const std::uint32_t word : unpainted_) open.push_back(prefix | word);
 }
 
-void OpenWordTree::collect_unpainted(unsigned nibble, const LeafBits& leaf) {
-  for (unsigned element = 0; element < leaf.elements.size(); ++element) {
-    for (std::uint64_t left = ~leaf.elements[element]; left != 0; left &= left - 1) {
-      unpainted_.push_back(nibble << TreeOrder::kLeafBits | element * 64 |
-                           static_cast<unsigned>(std::countr_zero(left)));
+void OpenWordTree::ask(int level) {
+  Node& node = nodes_[level];
+  std::vector<SubtreeWord>& words = node.waiting;
+  std::vector<SubtreeWord>* next = &open_;
+  for (int t = 0; t <= paint_radius_ && !words.empty(); ++t) {
+    // Above, the lists of all tiers count again: a ball that has this radius here may have had a
+    // larger one there.
+    if (level < subtree_levels(order_) && node.made <= t && words.size() < kWorthNarrowing) {
+      next = &nodes_[level + 1].waiting;
+      break;
     }
+    tier(level, t).exclude_from(words, undecided_bits(level));
   }
+  next->insert(next->end(), words.begin(), words.end());
+  words.clear();
 }
 
 }  // namespace tagmint::codec

@@ -19,17 +19,21 @@ namespace tagmint::codec {
 /// turns that may still exclude words below it, with the radius that is left of them. They are kept
 /// in tiers by that radius:
 ///
-///     tier 0    radius >= p     large balls: narrowed down to the leaves and painted there
+///     tier 0    radius >= p     large balls: narrowed down to the twigs and painted there
 ///     tier 1    radius == p-1   asked, one after the other, only about
 ///      ...        ...           the few words that painting left open,
-///     tier p    radius == 0     and made only where there are such words
+///     tier p    radius == 0     and made only where there are enough such words
 ///
-/// The node above 16 leaves, each of 4096 words, is the *twig*.
+/// A *twig* is a node above 16 leaves, each of 4096 words. The words that painting leaves open are
+/// asked about first at their twig. Where they are fewer than narrowing the next tier pays for,
+/// they wait for those of the other twigs and are asked about one level up, where the lists are
+/// longer but there already.
 ///
-/// Holds the lists of one thread: at most (codes * 4) entries for each tier of three levels.
+/// Holds the lists of one thread: at most (codes * 4) entries of 4 bytes for each tier of three
+/// levels and once more for all tiers of a subtree, 8 bytes for a code turn, and 8 KiB for a twig.
 class OpenWordTree {
  public:
-  /// All share `order`, `painter` and `turns`, which must outlive the object.
+  /// All share `order` and `painter`, which must outlive the object.
   ///   turns          the four turns of all codes, as tree words
   ///   radius         least distance - 1, >= 0
   ///   paint_radius   p above, 0..radius; a matter of speed alone
@@ -48,31 +52,39 @@ class OpenWordTree {
  private:
   /// Levels of the tree below a subtree's root; 12 + 4 * 3 bits are what an entry holds.
   static constexpr int kMostLevels = 3;
+  static constexpr int kTwigLevel = 1;
 
-  /// The lists of the node that the walk through the tree is at, on one level.
+  /// A word by its undecided bits below the subtree's root.
+  using SubtreeWord = std::uint32_t;
+
+  /// The node that the walk through the tree is at, on one level.
   struct Node {
     std::vector<NearList> tiers;
     int made = 0;         // tiers 0 .. made - 1 are up to date
     unsigned nibble = 0;  // the bits of the orbit that lead to this node from the one above
+    std::vector<SubtreeWord> waiting;  // not yet compared with the lists of this level
   };
 
   static int subtree_levels(const TreeOrder& order);
-  void make_root(Codeword prefix);
-  void descend(int level, Codeword prefix, TreeOrder::Ties ties, std::vector<Codeword>& open);
-  void list_twig(Codeword prefix, TreeOrder::Ties ties, std::vector<Codeword>& open);
-  void collect_unpainted(unsigned nibble, const LeafBits& leaf);
+  void descend(int level, SubtreeWord prefix, TreeOrder::Ties ties);
+  void paint_twig(SubtreeWord prefix, TreeOrder::Ties ties);
+  /// Compares the words that wait at a node with its tiers, or lets them wait one level up.
+  void ask(int level);
   const NearList& tier(int level, int tier);
   int least_radius(int tier) const { return tier == 0 ? paint_radius_ : paint_radius_ - tier; }
   int most_radius(int tier) const { return tier == 0 ? kMaxBits : paint_radius_ - tier; }
 
   const TreeOrder& order_;
   const LeafPainter& painter_;
-  std::span<const Codeword> turns_;
+  const SplitTurns turns_;
   int radius_;
   int paint_radius_;
+  int row_radius_;                           // rows are painted with balls of at least that radius
+  NearList reaching_;                        // all tiers of the subtree's root
   std::array<Node, kMostLevels + 1> nodes_;  // [level]: orbits still to decide above the leaves
-  NearList leaf_list_;
-  std::vector<std::uint32_t> unpainted_;  // 16-bit words below the twig
+  NearList equal_balls_;
+  TwigBits twig_;
+  std::vector<SubtreeWord> open_;  // of the subtree
 };
 
 }  // namespace tagmint::codec
