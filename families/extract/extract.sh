@@ -9,7 +9,7 @@ trap 'rm -rf "$work"' EXIT
 
 # The family files are part of the library, so what writes them is built from single sources.
 sources=(atomic_file codeword colour_changes complexity errors family family_document family_file
-         family_rules layout layout_presets rectangle_painter sha256 suggest)
+         family_rules layout layout_presets posix_file rectangle_painter sha256 suggest)
 paths=()
 for source in "${sources[@]}"; do paths+=("$root/libcodec/src/$source.cpp"); done
 # The headers of libapriltag include each other without their folder.

@@ -10,72 +10,17 @@
 #include <string>
 #include <system_error>
 
-#include "tagmint/codec/errors.h"
+#include "posix_file.h"
 
 namespace tagmint::codec {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string remedy(int error, const fs::path& path) {
-  switch (error) {
-    case ENOENT:
-    case ENOTDIR:
-      return fmt::format("make the folder {} first", path.parent_path().string());
-    case ENOSPC:
-    case EDQUOT:
-      return "free some space on that disk";
-    case EISDIR:
-      return "give the name of a file, not of a folder";
-    default:
-      return "choose a place that can be written to";
-  }
-}
-
-[[noreturn]] void fail(int error, const fs::path& path) {
-  throw OutputError(
-      fmt::format("cannot write the file: {}", std::generic_category().message(error)),
-      path.string(), remedy(error, path));
-}
-
-/// An open file that closes itself.
-class Descriptor {
- public:
-  Descriptor(const fs::path& path, int flags)
-      : fd_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {}
-  ~Descriptor() {
-    if (fd_ >= 0) ::close(fd_);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-
-  bool is_open() const { return fd_ >= 0; }
-  int get() const { return fd_; }
-  /// Closes now; false with errno when the system reports a late write error.
-  bool close() {
-    const int fd = fd_;
-    fd_ = -1;
-    return ::close(fd) == 0;
-  }
-
- private:
-  int fd_;
-};
-
-/// All of `content`, however many bytes a single call takes; false with errno on failure.
-bool write_all(int fd, std::string_view content) {
-  while (!content.empty()) {
-    const ssize_t written = ::write(fd, content.data(), content.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return false;
-    content.remove_prefix(static_cast<std::size_t>(written));
-  }
-  return true;
-}
-
 void write_directly(const fs::path& path, std::string_view content) {
   Descriptor file(path, O_WRONLY);
-  if (!file.is_open() || !write_all(file.get(), content) || !file.close()) fail(errno, path);
+  if (!file.is_open() || !write_all(file.get(), content) || !file.close())
+    fail_to_write(errno, path);
 }
 
 /// A file that is removed again unless it was renamed into place.
@@ -115,7 +60,7 @@ class TemporaryFile {
 void write_file_atomically(const fs::path& path, std::string_view content) {
   struct stat existing {};
   const bool exists = ::stat(path.c_str(), &existing) == 0;
-  if (exists && S_ISDIR(existing.st_mode)) fail(EISDIR, path);
+  if (exists && S_ISDIR(existing.st_mode)) fail_to_write(EISDIR, path);
   if (exists && !S_ISREG(existing.st_mode)) return write_directly(path, content);
 
   // A symbolic link stays, and the file that it leads to is replaced.
@@ -125,11 +70,11 @@ void write_file_atomically(const fs::path& path, std::string_view content) {
 
   TemporaryFile temporary(target);
   Descriptor file(temporary.path(), O_WRONLY | O_CREAT | O_EXCL);
-  if (!file.is_open()) fail(errno, path);
-  if (exists && ::fchmod(file.get(), existing.st_mode & 07777) != 0) fail(errno, path);
+  if (!file.is_open()) fail_to_write(errno, path);
+  if (exists && ::fchmod(file.get(), existing.st_mode & 07777) != 0) fail_to_write(errno, path);
   if (!write_all(file.get(), content) || ::fsync(file.get()) != 0 || !file.close() ||
       !temporary.rename_to(target)) {
-    fail(errno, path);
+    fail_to_write(errno, path);
   }
 }
 

@@ -127,8 +127,8 @@ TEST(Generate, InterruptionGives130AndLeavesNoFile) {
     const ProgramResult result = program.finish();
     EXPECT_EQ(result.exit_code, 130);
     EXPECT_TRUE(
-        result.err.ends_with("tagmint: error: interrupted; nothing was written; give "
-                             "--time-limit to keep what is found\n"))
+        result.err.ends_with("tagmint: error: interrupted; nothing was written; give --checkpoint "
+                             "to be able to go on, or --time-limit to keep what is found\n"))
         << result.err;
     EXPECT_EQ(folder.names(), std::vector<std::string>{});
   }
@@ -205,11 +205,8 @@ TEST(Generate, MisspeltRulesAndOrdersAreTold) {
 TEST(Generate, WhatThisVersionLacksIsRefusedInWords) {
   expect_fault(quick({"--method", "rotation-code"}), 2,
                "the method rotation-code is not part of this version (--method); use lexicode");
-  expect_fault(quick({"--checkpoint", "file"}), 2,
-               "--checkpoint is not part of this version; bound the search with --time-limit "
-               "instead");
   expect_fault(quick({"--resume"}), 2,
-               "--resume is not part of this version; start the search from its beginning");
+               "nothing says where to go on from (--resume); give --checkpoint FILE too");
 }
 
 TEST(Generate, PlaceThatCannotBeWrittenIsToldBeforeTheSearch) {

@@ -3,11 +3,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <chrono>
 #include <filesystem>
-#include <limits>
 #include <memory>
-#include <optional>
 #include <string>
 
 #include "cli/duration.h"
@@ -15,8 +12,7 @@
 #include "cli/number.h"
 #include "cli/options.h"
 #include "cli/output.h"
-#include "cli/process.h"
-#include "cli/progress.h"
+#include "cli/search_attempts.h"
 #include "cli/terminal.h"
 #include "tagmint/codec/family_file.h"
 #include "tagmint/codec/layout_presets.h"
@@ -26,8 +22,6 @@ namespace tagmint::cli {
 namespace {
 
 using codec::LexicodeOptions;
-using codec::LexicodeResult;
-using codec::SearchEnd;
 
 constexpr int kMostAttempts = 1'000'000;
 
@@ -42,6 +36,8 @@ struct Options {
   std::string limit_words;
   std::string time_limit;
   std::string name;
+  std::string checkpoint;
+  bool resume = false;
   std::string output;
 };
 
@@ -61,9 +57,7 @@ LexicodeOptions plan_search(const Options& options, const Common& common) {
                          .limit_words = std::nullopt,
                          .limit_codes = std::nullopt,
                          .time_limit = std::nullopt,
-                         .threads = common.threads,
-                         .stop = {},
-                         .progress = {}};
+                         .threads = common.threads};
   if (!options.complexity.empty()) {
     search.complexity = parse_option(codec::parse_complexity, options.complexity, "--complexity");
   }
@@ -102,94 +96,6 @@ void require_family_file(const std::string& output) {
   require_writable(output);
 }
 
-std::string end_text(const LexicodeResult& result, const LexicodeOptions& search) {
-  const std::string words = fmt::format("after {} words", result.words_searched);
-  switch (result.end) {
-    case SearchEnd::Complete:
-      return fmt::format("all 2^{} words searched", search.layout.bits());
-    case SearchEnd::LimitWords:
-      return words + " (--limit-words)";
-    case SearchEnd::LimitCodes:
-      return words + " (--limit-codes)";
-    case SearchEnd::TimeLimit:
-      return words + " (--time-limit)";
-    case SearchEnd::Stopped:
-      break;
-  }
-  return words;
-}
-
-struct Attempt {
-  LexicodeOptions search;
-  LexicodeResult result;
-};
-
-/// Runs the searches one after the other and keeps the one with the most codes, the first on ties.
-class Attempts {
- public:
-  Attempts(LexicodeOptions search, int count, const Common& common)
-      : search_(std::move(search)), count_(count), common_(common), deadline_(deadline()) {}
-
-  Attempt best() {
-    const std::vector<codec::Order> orders = attempt_orders(
-        search_.order, search_.layout, search_.min_hamming, search_.complexity, count_);
-    std::optional<Attempt> best;
-    for (std::size_t i = 0; i < orders.size(); ++i) {
-      if (best && time_is_up()) {
-        say(common_, fmt::format("{} of {} attempts made (--time-limit)", i, count_));
-        break;
-      }
-      Attempt attempt = run(i, orders[i]);
-      if (!best || attempt.result.codewords.size() > best->result.codewords.size()) {
-        best = std::move(attempt);
-      }
-    }
-    return std::move(*best);
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-
-  std::optional<Clock::time_point> deadline() const {
-    if (!search_.time_limit) return std::nullopt;
-    return Clock::now() + std::chrono::duration_cast<Clock::duration>(*search_.time_limit);
-  }
-
-  bool time_is_up() const { return deadline_ && Clock::now() >= *deadline_; }
-
-  Attempt run(std::size_t index, const codec::Order& order) {
-    Attempt attempt{search_, {}};
-    attempt.search.order = order;
-    attempt.search.stop = guard_.token();
-    if (deadline_) {
-      attempt.search.time_limit = std::chrono::duration<double>(*deadline_ - Clock::now());
-    }
-    Progress progress(common_, "search", "words");
-    const std::string label =
-        count_ > 1 ? fmt::format("attempt {} of {}, ", index + 1, count_) : std::string();
-    attempt.search.progress = [&](const codec::SearchProgress& state) {
-      progress.update(static_cast<double>(state.words_done), state.words_total,
-                      fmt::format("{}{} codes", label, state.codes));
-    };
-    attempt.result = codec::search_lexicode(attempt.search);
-    progress.clear();
-    guard_.throw_if_interrupted("nothing was written; give --time-limit to keep what is found");
-    if (count_ > 1) {
-      say(common_,
-          fmt::format("{}{}: {} codes, {}", label, codec::to_string(order),
-                      attempt.result.codewords.size(), end_text(attempt.result, attempt.search)));
-    }
-    attempt.search.progress = nullptr;
-    return attempt;
-  }
-
-  LexicodeOptions search_;
-  int count_;
-  const Common& common_;
-  std::optional<Clock::time_point> deadline_;
-  InterruptGuard guard_;
-};
-
 int run(const Options& options, const Common& common) {
   if (options.method != "lexicode") {
     throw UsageError(fmt::format("the method {} is not part of this version", options.method),
@@ -198,12 +104,17 @@ int run(const Options& options, const Common& common) {
   const LexicodeOptions search = plan_search(options, common);
   require_family_name(options.name, search);
   require_family_file(options.output);
-  const Attempt best = Attempts(search, options.attempts, common).best();
+  if (options.resume && options.checkpoint.empty()) {
+    throw UsageError("nothing says where to go on from", "--resume", "give --checkpoint FILE too");
+  }
+  SearchAttempts attempts(search, options.attempts, {options.checkpoint, options.resume}, common);
+  const Attempt best = attempts.best();
   if (best.result.codewords.empty()) {
     print_error(
         fmt::format("no code found, {} (--layout, --min-hamming); ask for a smaller "
                     "distance or complexity, or search more words",
                     end_text(best.result, best.search)));
+    attempts.put_checkpoint_away(best);
     return kAnswerIsNo;
   }
   const codec::Family family = codec::make_family(best.search, best.result, options.name);
@@ -211,13 +122,15 @@ int run(const Options& options, const Common& common) {
   say(common, fmt::format("{}: {} codes, order {}, {}{}", family.name(), family.size(),
                           codec::to_string(best.search.order), end_text(best.result, best.search),
                           is_stdout(options.output) ? "" : "; written to " + options.output));
+  const std::string kept = attempts.put_checkpoint_away(best);
+  if (!kept.empty()) say(common, kept);
   return kDone;
 }
 
 Runner set_up(CLI::App& app, const Common& common) {
   app.description(
-      "The tags are H bits apart in every rotation. What is found does not depend on the number of "
-      "threads.");
+      "The tags are H bits apart in every rotation. What is found does not depend on threads or "
+      "interruptions. Memory: at most 1 GB; the first phase goes on until the rest fits.");
   auto options = std::make_shared<Options>();
   app.add_option("--layout", options->layout, "classic:W, standard:W, circle:W or custom:ROWS")
       ->required()
@@ -249,8 +162,10 @@ Runner set_up(CLI::App& app, const Common& common) {
   app.add_option("--name", options->name, "name of the family, else tag<Layout><bits>h<H>")
       ->type_name("N");
   add_output(app, options->output, "family file, .json");
-  add_absent_option(app, "--checkpoint", "bound the search with --time-limit instead");
-  add_absent_option(app, "--resume", "start the search from its beginning");
+  app.add_option("--checkpoint", options->checkpoint,
+                 "keep in FILE, up to 0.6 GB, what it takes to go on after any end")
+      ->type_name("FILE");
+  app.add_flag("--resume", options->resume, "go on from the checkpoint where there is one");
   return [options, &common] { return run(*options, common); };
 }
 

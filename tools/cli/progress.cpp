@@ -17,7 +17,7 @@ namespace {
 constexpr int kBarCells = 20;
 
 double rate_of(const ProgressState& state) {
-  return state.elapsed_s > 0 ? state.done / state.elapsed_s : 0.0;
+  return state.elapsed_s > 0 ? (state.done - state.done_before) / state.elapsed_s : 0.0;
 }
 
 /// Seconds left at the average rate so far; nothing while that is not known.
@@ -63,7 +63,9 @@ std::string progress_bar(const ProgressState& state, int columns) {
     line += fmt::format(" [{:#<{}}{:.<{}}] {:3.0f} %", "", full, "", kBarCells - full,
                         std::floor(share * 100));
   }
-  line += fmt::format("  {} {}/s", short_number(rate_of(state)), state.unit);
+  if (const double rate = rate_of(state); rate > 0) {
+    line += fmt::format("  {} {}/s", short_number(rate), state.unit);
+  }
   if (!state.note.empty()) line += "  " + state.note;
   if (const auto left = time_left_s(state)) line += "  ETA " + clock_time(*left);
   if (static_cast<int>(line.size()) > columns) line.resize(std::max(columns, 0));
@@ -94,6 +96,11 @@ Progress::Progress(const Common& common, std::string task, std::string unit) {
 }
 
 Progress::~Progress() { clear(); }
+
+void Progress::restart(double done) {
+  start_ = Clock::now();
+  state_.done_before = done;
+}
 
 void Progress::update(double done, double total, std::string_view note) {
   if (style_ == Style::None) return;

@@ -11,12 +11,13 @@ namespace tagmint::cli {
 
 /// What a progress display says at one moment.
 struct ProgressState {
-  std::string task;      ///< "search"
-  std::string unit;      ///< "words"
-  double done = 0;       ///< in units
-  double total = 0;      ///< in units; 0 = not known
-  double elapsed_s = 0;  ///< since the start
-  std::string note;      ///< "38 codes", may be empty
+  std::string task;        ///< "search"
+  std::string unit;        ///< "words"
+  double done = 0;         ///< in units
+  double total = 0;        ///< in units; 0 = not known
+  double done_before = 0;  ///< of these, done before the clock started
+  double elapsed_s = 0;    ///< since the start
+  std::string note;        ///< "38 codes", may be empty
 };
 
 /// One line for a terminal, at most `columns` wide:
@@ -36,6 +37,9 @@ class Progress {
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
+
+  /// Starts the clock for rate and time left anew, when `done` is done already.
+  void restart(double done);
 
   /// Tells how far the task is. Shown at most ten times a second (JSON: once), so calling it often
   /// costs little.

@@ -101,6 +101,7 @@ class OpenChoice {
         kListingShareOfProgress + (1 - kListingShareOfProgress) * chosen / std::max(behind, 1.0);
     run_.control().report(
         {.phase = SearchPhase::Choose,
+         .phases = 3,
          .phase_done = chosen,
          .phase_total = behind,
          .words_done = state.words_walked + static_cast<std::uint64_t>(share * behind),

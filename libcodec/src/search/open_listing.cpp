@@ -17,6 +17,7 @@ void report(SearchRun& run, double share) {
   const double words = std::ldexp(1.0, run.bits());
   run.control().report(
       {.phase = SearchPhase::List,
+       .phases = 3,
        .phase_done = share * words,
        .phase_total = words,
        .words_done = state.words_walked +

@@ -44,7 +44,7 @@ class ScanLength {
 
 /// Phase 1. Returns why the search is over, nothing when it is time for phase 2.
 std::optional<SearchEnd> walk_far_enough(SearchRun& run, const ScanLength& length) {
-  WalkScan scan(run);
+  WalkScan scan(run, 3);
   const SearchState& state = run.state();
   do {
     if (const auto end = scan.step()) return end;

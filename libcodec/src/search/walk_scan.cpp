@@ -10,8 +10,9 @@ constexpr std::uint64_t kMostWords = std::uint64_t{1} << 26;
 
 }  // namespace
 
-WalkScan::WalkScan(SearchRun& run)
+WalkScan::WalkScan(SearchRun& run, int phases)
     : run_(run),
+      phases_(phases),
       pacer_(kFewestWords, kMostWords, run.crew().round_length()),
       words_expected_(run.words_total()) {}
 
@@ -36,6 +37,7 @@ std::optional<SearchEnd> WalkScan::step() {
 
   const SearchState& state = run_.state();
   run_.control().report({.phase = SearchPhase::Walk,
+                         .phases = phases_,
                          .phase_done = static_cast<double>(state.words_walked),
                          .phase_total = words_expected_,
                          .words_done = state.words_walked,

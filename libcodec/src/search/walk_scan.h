@@ -11,8 +11,8 @@ namespace tagmint::codec {
 /// Phase 1, and the whole of a plain search: every word of the walk, one after the other.
 class WalkScan {
  public:
-  /// `run` must outlive the object.
-  explicit WalkScan(SearchRun& run);
+  /// `run` must outlive the object; `phases` of the whole search, for the reports.
+  explicit WalkScan(SearchRun& run, int phases = 1);
 
   /// Judges one round of words. Returns why the search is over, nothing while it is not.
   std::optional<SearchEnd> step();
@@ -29,6 +29,7 @@ class WalkScan {
   void remember(std::uint64_t judged, std::uint64_t distant);
 
   SearchRun& run_;
+  int phases_;
   RoundPacer pacer_;
   double words_expected_;
   double recent_words_ = 0;

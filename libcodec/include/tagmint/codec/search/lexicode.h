@@ -20,6 +20,7 @@ namespace tagmint::codec {
 /// Where a running search stands.
 struct SearchProgress {
   SearchPhase phase = SearchPhase::Walk;
+  int phases = 1;  ///< 1: a walk to the end; 3: docs/lexicodes.md
   /// Words walked, words of the space listed, or words of the walk that the choice has passed; and
   /// how many there will be as far as can be told.
   double phase_done = 0;

@@ -1,0 +1,248 @@
+#include "tagmint/codec/search/checkpoint.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "posix_file.h"
+#include "search/checkpoint_record.h"
+#include "tagmint/codec/atomic_file.h"
+#include "tagmint/codec/errors.h"
+#include "tagmint/codec/layout_presets.h"
+
+namespace tagmint::codec {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+using Json = nlohmann::ordered_json;
+using Kind = CheckpointRecord::Kind;
+
+constexpr std::string_view kFirstWords = "tagmint checkpoint ";
+constexpr int kFormatVersion = 1;
+constexpr std::chrono::milliseconds kWriteEvery{200};
+constexpr std::chrono::seconds kFlushEvery{10};
+
+Json parameters_json(const CheckpointParameters& parameters) {
+  const SearchRules& rules = parameters.rules;
+  Json json;
+  json["layout"] = layout_name(rules.layout);
+  json["min_hamming"] = rules.min_hamming;
+  json["order"] = to_string(rules.order);
+  json["complexity"] = to_string(rules.complexity);
+  json["attempts"] = parameters.attempts;
+  return json;
+}
+
+std::string header(const CheckpointParameters& parameters) {
+  return fmt::format("{}{}\n{}\n", kFirstWords, kFormatVersion, parameters_json(parameters).dump());
+}
+
+std::string first_line(std::string_view header) {
+  return std::string(header.substr(0, header.find('\n')));
+}
+
+/// Throws InputError unless the two lines at the beginning of the file are those of `header`.
+void require_header(const std::string& first, const std::string& second, const std::string& header,
+                    const CheckpointParameters& parameters, const fs::path& path) {
+  if (!first.starts_with(kFirstWords)) {
+    throw InputError("is not a checkpoint of a search", path.string(),
+                     "give the file that --checkpoint has written");
+  }
+  if (first != first_line(header)) {
+    throw InputError(fmt::format("the checkpoint has format {}, this program reads format {}",
+                                 first.substr(kFirstWords.size()), kFormatVersion),
+                     path.string(),
+                     "go on with the version that wrote it, or search anew with another file");
+  }
+  const Json theirs = Json::parse(second, nullptr, false);
+  const Json ours = parameters_json(parameters);
+  for (const auto& [key, value] : ours.items()) {
+    if (theirs.is_object() && theirs.contains(key) && theirs[key] == value) continue;
+    const std::string there =
+        theirs.is_object() && theirs.contains(key) ? theirs[key].dump() : "something else";
+    throw InputError(
+        fmt::format("the checkpoint belongs to another search: {} is {} there, {} here", key, there,
+                    value.dump()),
+        path.string(), "repeat the options of that search, or search anew with another file");
+  }
+}
+
+/// What the records add up to, and where the last whole one ends.
+struct Replay {
+  CheckpointContent content;
+  std::uint64_t end = 0;
+  std::string digest;
+};
+
+void apply(const CheckpointRecord& record, CheckpointContent& content) {
+  if (record.kind != Kind::EndOfAttempt) {
+    content.state.apply({static_cast<SearchPhase>(record.kind), record.done, record.words});
+    return;
+  }
+  const auto end = static_cast<SearchEnd>(record.words.empty() ? 0 : record.words.front());
+  content.finished.push_back({std::move(content.state.codewords), record.done, end});
+  content.state = {};
+}
+
+Replay replay(const fs::path& path, const CheckpointParameters& parameters) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) {
+    throw InputError("cannot read the checkpoint", path.string(),
+                     "check that the file may be read");
+  }
+  const std::uint64_t size = fs::file_size(path);
+  const std::string expected = header(parameters);
+  std::string first;
+  std::string second;
+  std::getline(file, first);
+  std::getline(file, second);
+  require_header(first, second, expected, parameters, path);
+
+  Replay replayed;
+  replayed.end = first.size() + second.size() + 2;
+  replayed.digest = chained_digest("", first + "\n" + second + "\n");
+  CheckpointRecord record;
+  while (replayed.end < size) {
+    std::uint64_t bytes = 0;
+    const RecordReading reading =
+        read_record(file, size - replayed.end, replayed.digest, record, bytes);
+    if (reading == RecordReading::CutOff) break;
+    if (reading == RecordReading::Damaged) {
+      throw InputError(
+          fmt::format("the checkpoint is damaged between byte {} and its end at {}", replayed.end,
+                      size),
+          path.string(),
+          fmt::format("'truncate -s {} FILE' leaves what is sound, or search anew", replayed.end));
+    }
+    apply(record, replayed.content);
+    replayed.end += bytes;
+  }
+  return replayed;
+}
+
+}  // namespace
+
+class Checkpoint::File {
+ public:
+  File(const fs::path& path, CheckpointContent content, std::string digest)
+      : path_(path),
+        file_(path, O_WRONLY | O_APPEND),
+        digest_(std::move(digest)),
+        content_(std::move(content)) {
+    if (!file_.is_open()) fail_to_write(errno, path);
+  }
+
+  /// Before anything is read, so that nobody writes meanwhile.
+  void lock() {
+    if (::flock(file_.get(), LOCK_EX | LOCK_NB) == 0) return;
+    throw OutputError("another search is using the checkpoint", path_.string(),
+                      "wait for it, or give another file");
+  }
+
+  void restore(Replay replayed) {
+    if (::ftruncate(file_.get(), static_cast<off_t>(replayed.end)) != 0) {
+      fail_to_write(errno, path_);
+    }
+    digest_ = std::move(replayed.digest);
+    content_ = std::move(replayed.content);
+  }
+
+  CheckpointContent& content() { return content_; }
+
+  void add(Kind kind, std::uint64_t done, std::span<const Codeword> words) {
+    if (pending_ && pending_->kind != kind) write();
+    if (!pending_) pending_ = CheckpointRecord{.kind = kind, .done = 0, .words = {}};
+    pending_->done = done;
+    pending_->words.insert(pending_->words.end(), words.begin(), words.end());
+    const auto now = Clock::now();
+    if (now - written_ >= kWriteEvery) write();
+    if (now - flushed_ >= kFlushEvery) flush();
+  }
+
+  /// Hands what is pending to the system, which keeps it when the program is killed.
+  void write() {
+    if (!pending_) return;
+    std::string digest = digest_;
+    const std::string bytes = format_record(*pending_, digest);
+    if (!write_all(file_.get(), bytes)) fail_to_write(errno, path_);
+    digest_ = std::move(digest);
+    pending_.reset();
+    written_ = Clock::now();
+  }
+
+  void flush() {
+    write();
+    if (::fdatasync(file_.get()) != 0) fail_to_write(errno, path_);
+    flushed_ = Clock::now();
+  }
+
+ private:
+  fs::path path_;
+  Descriptor file_;
+  std::string digest_;  // of the last record written
+  CheckpointContent content_;
+  std::optional<CheckpointRecord> pending_;
+  Clock::time_point written_ = Clock::now();
+  Clock::time_point flushed_ = Clock::now();
+};
+
+Checkpoint::Checkpoint(std::unique_ptr<File> file) : file_(std::move(file)) {}
+Checkpoint::Checkpoint(Checkpoint&&) noexcept = default;
+Checkpoint& Checkpoint::operator=(Checkpoint&&) noexcept = default;
+
+Checkpoint::~Checkpoint() {
+  try {
+    if (file_) file_->write();
+  } catch (const OutputError&) {
+    // What was not written is searched again.
+  }
+}
+
+Checkpoint Checkpoint::begin(const fs::path& path, const CheckpointParameters& parameters) {
+  if (fs::exists(path)) {
+    throw OutputError("the checkpoint exists already", path.string(),
+                      "go on from it with --resume, or remove it");
+  }
+  const std::string first_bytes = header(parameters);
+  write_file_atomically(path, first_bytes);
+  auto file = std::make_unique<File>(path, CheckpointContent{}, chained_digest("", first_bytes));
+  file->lock();
+  return Checkpoint(std::move(file));
+}
+
+Checkpoint Checkpoint::resume(const fs::path& path, const CheckpointParameters& parameters) {
+  if (!fs::is_regular_file(path)) {
+    throw InputError("there is no such checkpoint", path.string(), "give the name of its file");
+  }
+  auto file = std::make_unique<File>(path, CheckpointContent{}, std::string());
+  file->lock();
+  file->restore(replay(path, parameters));
+  return Checkpoint(std::move(file));
+}
+
+const CheckpointContent& Checkpoint::content() const { return file_->content(); }
+CheckpointContent Checkpoint::take_content() { return std::exchange(file_->content(), {}); }
+
+void Checkpoint::add(const SearchStep& step) {
+  file_->add(static_cast<Kind>(step.phase), step.done, step.words);
+}
+
+void Checkpoint::end_attempt(const LexicodeResult& result) {
+  const Codeword end = static_cast<Codeword>(result.end);
+  file_->add(Kind::EndOfAttempt, result.words_searched, std::span(&end, 1));
+  file_->flush();
+}
+
+void Checkpoint::flush() { file_->flush(); }
+
+}  // namespace tagmint::codec
