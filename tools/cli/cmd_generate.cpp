@@ -58,6 +58,7 @@ LexicodeOptions plan_search(const Options& options, const Common& common) {
                          .limit_codes = std::nullopt,
                          .time_limit = std::nullopt,
                          .threads = common.threads};
+  search.crew = common.crew;
   if (!options.complexity.empty()) {
     search.complexity = parse_option(codec::parse_complexity, options.complexity, "--complexity");
   }

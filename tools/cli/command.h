@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "tagmint/codec/errors.h"
+#include "tagmint/codec/search/crew.h"
 
 namespace CLI {
 class App;
@@ -37,6 +38,8 @@ struct Common {
   int threads = 0;  ///< 0 = all cores
   bool quiet = false;
   ProgressMode progress = ProgressMode::Auto;
+  /// Not an option: who does the work of searches; nothing = the threads of this process.
+  codec::CrewMaker crew = {};
 };
 
 /// Does the command's work after its options were parsed; returns the exit code, throws Fault for

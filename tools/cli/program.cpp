@@ -40,8 +40,10 @@ const Command& find_command(const std::string& name) {
                    hint.empty() ? "see 'tagmint --help'" : hint);
 }
 
-int run_command(const Command& command, std::vector<std::string> arguments) {
+int run_command(const Command& command, std::vector<std::string> arguments,
+                const codec::CrewMaker& crew) {
   Common common;
+  common.crew = crew;
   CLI::App app;
   app.set_help_flag();
   app.option_defaults()->always_capture_default();
@@ -64,7 +66,7 @@ int run_command(const Command& command, std::vector<std::string> arguments) {
   return runner();
 }
 
-int dispatch(std::vector<std::string> arguments) {
+int dispatch(std::vector<std::string> arguments, const codec::CrewMaker& crew) {
   if (arguments.empty()) throw UsageError("no command given", "", "see 'tagmint --help'");
   const std::string first = arguments.front();
   if (is_help(first)) {
@@ -83,14 +85,15 @@ int dispatch(std::vector<std::string> arguments) {
   }
   const Command& command = find_command(first);
   arguments.erase(arguments.begin());
-  return run_command(command, std::move(arguments));
+  return run_command(command, std::move(arguments), crew);
 }
 
 }  // namespace
 
-int run_program(int argc, const char* const* argv) {
-  return report_faults(
-      [&] { return dispatch(std::vector<std::string>(argv + std::min(argc, 1), argv + argc)); });
+int run_program(int argc, const char* const* argv, const codec::CrewMaker& crew) {
+  return report_faults([&] {
+    return dispatch(std::vector<std::string>(argv + std::min(argc, 1), argv + argc), crew);
+  });
 }
 
 }  // namespace tagmint::cli
