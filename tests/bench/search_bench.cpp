@@ -84,7 +84,8 @@ void filter_words(benchmark::State& state, Filter filter) {
   TurnBlocks blocks;
   for (int code = 0; code < state.range(0); ++code) {
     const Codeword word = random() & low_mask(kBits);
-    blocks.add({word, rotate(word, kBits, 1), rotate(word, kBits, 2), rotate(word, kBits, 3)});
+    blocks.add(
+        std::array{word, rotate(word, kBits, 1), rotate(word, kBits, 2), rotate(word, kBits, 3)});
   }
   std::vector<Codeword> words(1024);
   for (Codeword& word : words) word = random() & low_mask(kBits);

@@ -57,7 +57,7 @@ std::vector<std::uint64_t> open_words_plainly(int bits, int min_hamming,
   }
   TurnBlocks blocks;
   for (std::size_t i = 0; i < turns.size(); i += 4) {
-    blocks.add({turns[i], turns[i + 1], turns[i + 2], turns[i + 3]});
+    blocks.add(std::span(turns).subspan(i).first<4>());
   }
   std::vector<std::uint32_t> kept(count);
   const std::size_t kept_count = keep_distant_scalar(words, blocks, min_hamming, kept.data());

@@ -53,16 +53,7 @@ void LocalCrew::learn(std::span<const Codeword> codes) {
 }
 
 SiftedWords LocalCrew::sift(std::uint64_t first, std::uint64_t count) {
-  return sieve_.sift(
-      [this](std::uint64_t begin, std::span<Codeword> words) {
-        const Codeword mask = low_mask(walk_.bits());
-        Codeword word = walk_.visited(begin + 1);
-        for (Codeword& slot : words) {
-          slot = word;
-          word = (word + Walk::kStep) & mask;
-        }
-      },
-      first, count);
+  return sieve_.sift_walk(first, count);
 }
 
 std::vector<Codeword> LocalCrew::list_subtree(OpenWordTree& tree, std::uint64_t subtree) const {

@@ -1,6 +1,7 @@
 #include "search/sieve.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 
 #include "search/distance_filter.h"
@@ -33,11 +34,19 @@ Sieve::Sieve(const SearchRules& rules, const Walk& walk, int threads)
 
 void Sieve::learn(std::span<const Codeword> codes) {
   for (Codeword word : codes) {
-    for (Codeword& turn : turns_.emplace_back()) {
-      turn = walk_.to_visited(word);
+    for (int turn = 0; turn < 4; ++turn) {
+      turns_.push_back(walk_.to_visited(word));
       word = rotate_quarter(word, bits_);
     }
   }
+}
+
+/// Keeps a word that is far enough from all codes, where it passes the other tests.
+void Sieve::judge(std::uint64_t index, Codeword visited, SiftedWords& sifted) const {
+  const Codeword word = walk_.to_codeword(visited);
+  if (self_distance(word, bits_) < min_hamming_) return;
+  ++sifted.distant;
+  if (judge_.accepts(word)) sifted.kept.push_back({index, word});
 }
 
 SiftedWords Sieve::sift_portion(const WordSource& source, std::uint64_t first, std::size_t count,
@@ -49,10 +58,7 @@ SiftedWords Sieve::sift_portion(const WordSource& source, std::uint64_t first, s
   const std::size_t distant_count = keep_distant(portion, blocks, min_hamming_, distant.data());
   SiftedWords sifted;
   for (std::size_t i = 0; i < distant_count; ++i) {
-    const Codeword word = walk_.to_codeword(words[distant[i]]);
-    if (self_distance(word, bits_) < min_hamming_) continue;
-    ++sifted.distant;
-    if (judge_.accepts(word)) sifted.kept.push_back({first + distant[i], word});
+    judge(first + distant[i], words[distant[i]], sifted);
   }
   return sifted;
 }
@@ -64,11 +70,44 @@ SiftedWords Sieve::sift(const WordSource& source, std::uint64_t first, std::uint
   const auto workers = static_cast<int>(std::min<std::uint64_t>(workers_.size(), portions));
   run_workers(workers, [&](int id) {
     Worker& worker = workers_[id];
-    for (; worker.known < turns_.size(); ++worker.known) worker.blocks.add(turns_[worker.known]);
+    for (; worker.known < turns_.size(); worker.known += 4) {
+      worker.blocks.add(std::span(turns_).subspan(worker.known).first<4>());
+    }
     for (std::uint64_t p; (p = next_portion++) < portions;) {
       const std::uint64_t begin = p * kPortion;
       const auto size = static_cast<std::size_t>(std::min<std::uint64_t>(kPortion, count - begin));
       sifted[p] = sift_portion(source, first + begin, size, worker.blocks);
+    }
+  });
+  return joined(sifted);
+}
+
+SiftedWords Sieve::sift_walk(std::uint64_t first, std::uint64_t count) {
+  if (WalkSieve::pays(turns_.size() / 4, count / workers_.size())) {
+    return sift_by_groups(first, count);
+  }
+  return sift(
+      [this](std::uint64_t begin, std::span<Codeword> words) {
+        Codeword word = walk_.visited(begin + 1);
+        for (Codeword& slot : words) {
+          slot = word;
+          word = (word + Walk::kStep) & low_mask(bits_);
+        }
+      },
+      first, count);
+}
+
+SiftedWords Sieve::sift_by_groups(std::uint64_t first, std::uint64_t count) {
+  // Long portions, as the words of a portion fall into groups, and large groups cost less.
+  const std::uint64_t portion = (count - 1) / workers_.size() + 1;
+  const WalkSieve sieve(bits_, min_hamming_, turns_, portion);
+  std::vector<SiftedWords> sifted(workers_.size());
+  run_workers(static_cast<int>(workers_.size()), [&](int id) {
+    const std::uint64_t begin = std::min(count, id * portion);
+    const std::uint64_t size = std::min(portion, count - begin);
+    const Codeword start = walk_.visited(first + begin + 1);
+    for (const std::uint64_t i : sieve.open_words(start, size, workers_[id].scratch)) {
+      judge(first + begin + i, walk_.visited(first + begin + i + 1), sifted[id]);
     }
   });
   return joined(sifted);

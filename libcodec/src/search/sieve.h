@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -8,6 +7,7 @@
 #include <vector>
 
 #include "search/turn_blocks.h"
+#include "search/walk_sieve.h"
 #include "tagmint/codec/codeword.h"
 #include "tagmint/codec/complexity.h"
 #include "tagmint/codec/search/crew.h"
@@ -32,21 +32,28 @@ class Sieve {
   ///   cost   O(count * codes / threads) comparisons at worst; memory O(count / 100 + words kept)
   SiftedWords sift(const WordSource& source, std::uint64_t first, std::uint64_t count);
 
+  /// The same for the words `first` .. `first + count - 1` of the walk; faster where there are many
+  /// codes and words, as WalkSieve.
+  SiftedWords sift_walk(std::uint64_t first, std::uint64_t count);
+
  private:
   /// One thread's copy of the codes, in the order that suits it.
   struct Worker {
     TurnBlocks blocks;
-    std::size_t known = 0;  // codes of turns_ that are in blocks
+    std::size_t known = 0;  // turns that are in blocks
+    WalkSieve::Scratch scratch;
   };
 
   SiftedWords sift_portion(const WordSource& source, std::uint64_t first, std::size_t count,
                            TurnBlocks& blocks);
+  SiftedWords sift_by_groups(std::uint64_t first, std::uint64_t count);
+  void judge(std::uint64_t index, Codeword visited, SiftedWords& sifted) const;
 
   int bits_;
   int min_hamming_;
   ComplexityJudge judge_;
   const Walk& walk_;
-  std::vector<std::array<Codeword, 4>> turns_;  // as the walk visits them
+  std::vector<Codeword> turns_;  // four of each code, as the walk visits them
   std::vector<Worker> workers_;
 };
 

@@ -4,7 +4,7 @@
 
 namespace tagmint::codec {
 
-void TurnBlocks::add(const std::array<Codeword, 4>& turns) {
+void TurnBlocks::add(std::span<const Codeword, 4> turns) {
   if (full_ == blocks_.size()) {
     blocks_.emplace_back();
     std::copy(turns.begin(), turns.end(), blocks_.back().words.begin());

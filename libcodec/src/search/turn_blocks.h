@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "tagmint/codec/codeword.h"
@@ -19,7 +20,7 @@ class TurnBlocks {
   };
 
   /// Adds the four turns of one code. The last block holds it twice until another code comes.
-  void add(const std::array<Codeword, 4>& turns);
+  void add(std::span<const Codeword, 4> turns);
   void clear() {
     blocks_.clear();
     full_ = 0;

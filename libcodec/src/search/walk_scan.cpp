@@ -6,7 +6,7 @@ namespace tagmint::codec {
 namespace {
 
 constexpr std::uint64_t kFewestWords = 256;
-constexpr std::uint64_t kMostWords = std::uint64_t{1} << 26;
+constexpr std::uint64_t kMostWords = std::uint64_t{1} << 30;
 
 }  // namespace
 
