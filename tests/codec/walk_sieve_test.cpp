@@ -125,6 +125,22 @@ TEST(WalkSieve, FindsTheSameWithEveryInstructionSet) {
   }
 }
 
+TEST(WalkSieve, PlansGroupsThatLeaveRoomForWords) {
+  for (int bits = 1; bits <= 64; ++bits) {
+    for (const int min_hamming : {1, bits / 3 + 1, bits}) {
+      for (const std::size_t turns : {0, 4, 10'000, 1'000'000}) {
+        for (const int log_stretch : {0, 10, 20, 32}) {
+          const SievePlan plan =
+              plan_sieve(bits, min_hamming, turns, std::uint64_t{1} << log_stretch);
+          EXPECT_LE(0, plan.coarse_bits);
+          EXPECT_LE(plan.coarse_bits, plan.fine_bits);
+          EXPECT_LE(plan.fine_bits, std::min({bits, 24, std::max(0, log_stretch - 4)}));
+        }
+      }
+    }
+  }
+}
+
 TEST(WalkSieve, LeavesEveryWordOpenWithoutCodes) {
   WalkSieve::Scratch scratch;
   const WalkSieve sieve(48, 12, {}, 100);

@@ -22,19 +22,27 @@ using TagOf = hn::CappedTag<T, 64 / sizeof(T)>;
 /// as some five comparisons, and a word once excluded is compared for nothing.
 constexpr std::size_t kCodesBetweenDrops = 32;
 
-/// The smaller of `nearest` and the distance from `word` to `code`. Distances fill the low byte of
-/// a lane alone, so lanes of 64 bits may be compared as pairs of 32: every machine that has vectors
-/// has a minimum for those.
+/// The smaller of two distances. They fill the low byte of a lane alone, so lanes of 64 bits may be
+/// compared as pairs of 32: every machine that has vectors has a minimum for those.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE V nearer(D d, V nearest, V word, V code) {
-  const V distance = hn::PopulationCount(hn::Xor(word, code));
+HWY_INLINE V least(D d, V a, V b) {
 #if HWY_TARGET == HWY_SCALAR
   (void)d;
-  return hn::Min(nearest, distance);
+  return hn::Min(a, b);
 #else
   const hn::Repartition<std::int32_t, D> halves;
-  return hn::BitCast(d, hn::Min(hn::BitCast(halves, nearest), hn::BitCast(halves, distance)));
+  return hn::BitCast(d, hn::Min(hn::BitCast(halves, a), hn::BitCast(halves, b)));
 #endif
+}
+
+template <class V>
+HWY_INLINE V distance(V word, V code) {
+  return hn::PopulationCount(hn::Xor(word, code));
+}
+
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V nearer(D d, V nearest, V word, V code) {
+  return least(d, nearest, distance(word, code));
 }
 
 /// Stores the lanes whose nearest code is at least `min_hamming` away; returns their number.
@@ -79,9 +87,15 @@ HWY_INLINE std::size_t drop_near(D d, T* words, std::size_t count, const T* code
   for (; i < count; i += lanes) {
     const auto word = hn::LoadU(d, words + i);
     auto nearest = far_off;
-    for (std::size_t c = 0; c < code_count; ++c) {
-      nearest = nearer(d, nearest, word, hn::Set(d, codes[c]));
+    std::size_t c = 0;
+    for (; c + 4 <= code_count; c += 4) {
+      const auto of_two =
+          nearer(d, distance(word, hn::Set(d, codes[c])), word, hn::Set(d, codes[c + 1]));
+      const auto of_others =
+          nearer(d, distance(word, hn::Set(d, codes[c + 2])), word, hn::Set(d, codes[c + 3]));
+      nearest = least(d, nearest, least(d, of_two, of_others));
     }
+    for (; c < code_count; ++c) nearest = nearer(d, nearest, word, hn::Set(d, codes[c]));
     kept += store_far(d, word, nearest, min_hamming, std::min(lanes, count - i), words + kept);
   }
   return kept;
@@ -112,7 +126,7 @@ HWY_INLINE std::size_t keep_far_in_lanes(T* words, std::size_t count, const T* c
                                          std::size_t code_count, int min_hamming) {
   const TagOf<T> d;
   std::size_t done = 0;
-  while (done < code_count && count >= hn::Lanes(d)) {
+  while (done < code_count && count >= hn::Lanes(d)/2) {
     const std::size_t step = std::min(kCodesBetweenDrops, code_count - done);
     count = drop_near(d, words, count, codes + done, step, min_hamming);
     done += step;

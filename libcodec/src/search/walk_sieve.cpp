@@ -11,6 +11,15 @@ namespace {
 /// Codes of coarse cells are gathered until there are so many, then compared.
 constexpr std::size_t kGatheredCodes = 256;
 
+/// Longer stretches make no sieve faster.
+constexpr std::uint64_t kLongestStretch = std::uint64_t{1} << 32;
+
+std::uint64_t possible_stretch(int bits, std::uint64_t stretch) {
+  // The words of a group are told apart by their upper bits, so none may come twice.
+  const std::uint64_t most = std::min(kLongestStretch, low_mask(bits) + (bits < kMaxBits));
+  return std::clamp<std::uint64_t>(stretch, 1, most);
+}
+
 /// The x with x * step = 1 modulo 2^64. Each round of Newton's iteration doubles the number of
 /// right low bits; an odd number is its own inverse modulo 8.
 constexpr std::uint64_t inverse_of_odd(std::uint64_t step) {
@@ -42,21 +51,18 @@ std::vector<std::vector<std::uint32_t>> masks_by_weight(int bits, int greatest) 
 WalkSieve::WalkSieve(int bits, int min_hamming, std::span<const Codeword> turns,
                      std::uint64_t stretch)
     : WalkSieve(bits, min_hamming, turns, stretch,
-                plan_sieve(bits, min_hamming, turns.size(), stretch)) {}
+                plan_sieve(bits, min_hamming, turns.size(), possible_stretch(bits, stretch))) {}
 
 WalkSieve::WalkSieve(int bits, int min_hamming, std::span<const Codeword> turns,
                      std::uint64_t stretch, const SievePlan& plan)
     : bits_(bits),
       min_hamming_(min_hamming),
-      stretch_(std::max<std::uint64_t>(stretch, 1)),
+      stretch_(possible_stretch(bits, stretch)),
       plan_(plan),
       index_(bits, plan.fine_bits, plan.coarse_bits, turns),
       fine_masks_(masks_by_weight(plan.fine_bits, std::min(plan.fine_weight, min_hamming - 1))),
       coarse_masks_(
-          masks_by_weight(plan.coarse_bits, std::min(plan.coarse_weight, min_hamming - 1))) {
-  // The words of a group are told apart by their upper bits.
-  if (bits < 64) stretch_ = std::min(stretch_, std::uint64_t{1} << bits);
-}
+          masks_by_weight(plan.coarse_bits, std::min(plan.coarse_weight, min_hamming - 1))) {}
 
 std::vector<std::uint64_t> WalkSieve::open_words(Codeword first, std::uint64_t count,
                                                  Scratch& scratch) const {

@@ -28,8 +28,8 @@ namespace tagmint::codec {
 /// Constant once made: threads may share one, each with a Scratch of its own.
 class WalkSieve {
  public:
-  /// Buffers of one thread, reused from call to call. They grow to some 8 bytes for each word that
-  /// a coarse group leaves, and 12 for each turn at worst.
+  /// Buffers of one thread, reused from call to call. They grow to 8 bytes for each word that the
+  /// groups of one coarse group leave, 4 for each word of a group, and at worst 12 for each turn.
   struct Scratch {
     std::vector<std::uint32_t> uppers;
     std::vector<std::uint32_t> near_uppers;
@@ -37,12 +37,13 @@ class WalkSieve {
     std::vector<Codeword> near_words;
   };
 
-  /// A sieve for stretches of about `stretch` words of the walk over words of `bits` bits.
+  /// A sieve for stretches of about `stretch` words of the walk over words of `bits` bits; above
+  /// 2^32 they are taken piece by piece.
   ///   bits          1..64
   ///   min_hamming   1..bits
-  ///   turns         all turns of all codes, as the walk visits them
-  ///   cost          O(turns) and at most O(stretch / 8); memory: 12 bytes a turn and 4 for each of
-  ///                 at most stretch / 16 cells
+  ///   turns         all turns of all codes, as the walk visits them; fewer than 2^32
+  ///   cost          less than a millisecond and O(turns + stretch / 16); memory: 12 bytes a turn
+  ///                 and 4 for each of at most stretch / 16 cells, never more than 64 MiB
   WalkSieve(int bits, int min_hamming, std::span<const Codeword> turns, std::uint64_t stretch);
   /// The same, by a plan of the caller's: any plan gives the same result.
   WalkSieve(int bits, int min_hamming, std::span<const Codeword> turns, std::uint64_t stretch,
