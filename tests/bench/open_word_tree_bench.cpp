@@ -59,6 +59,8 @@ void list_subtrees(benchmark::State& state, const char* name, std::size_t codes,
   constexpr std::int64_t kLeaves = 4096;
   state.SetItemsProcessed(state.iterations() * kLeaves);
   state.counters["p"] = paint_radius;
+  state.counters["deep"] =
+      best_paint_plan(order.bits(), radius, turns.size(), paint_radius).deep_radius;
   state.counters["open/leaf"] =
       static_cast<double>(open.size()) / static_cast<double>(state.iterations() * kLeaves);
 }

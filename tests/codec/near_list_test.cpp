@@ -67,6 +67,21 @@ TEST(NearList, TakesSomeEntriesByTheirRadius) {
             (std::vector{near_entry(0x102, 2), near_entry(0x103, 3), near_entry(0x102, 2)}));
 }
 
+TEST(NearList, PartsEntriesByTheirRadius) {
+  NearList source;
+  for (const int radius : {0, 4, 2, 3, 2, 5}) source.push_back(near_entry(radius, radius));
+  NearList equal;
+  NearList larger;
+  equal.push_back(near_entry(7, 7));
+  equal.take_equal(source, 2, larger);
+  EXPECT_EQ(entries_of(equal), (std::vector{near_entry(2, 2), near_entry(2, 2)}));
+  EXPECT_EQ(entries_of(larger),
+            (std::vector{near_entry(4, 4), near_entry(3, 3), near_entry(5, 5)}));
+  equal.take_equal(larger, 4, larger);
+  EXPECT_EQ(entries_of(equal), std::vector{near_entry(4, 4)});
+  EXPECT_EQ(entries_of(larger), std::vector{near_entry(5, 5)});
+}
+
 TEST(NearList, TakesTheTurnsThatReachASubtree) {
   const std::vector<Codeword> turns = {0xab0000000123, 0xab0001000123, 0xa90000000123,
                                        0xa80000000123};
@@ -94,9 +109,28 @@ TEST(NearList, NarrowingIsTheSameWithEveryInstructionSet) {
   });
 }
 
+TEST(NearList, PartsAreTheSameWithEveryInstructionSet) {
+  with_every_instruction_set([] {
+    for (const std::size_t count : {0, 1, 15, 16, 17, 400}) {
+      const NearList source = random_list(count, 10, 7);
+      std::vector<NearEntry> expected_equal(count + NearList::kPadding);
+      std::vector<NearEntry> expected_larger(count + NearList::kPadding);
+      const near_kernels::Parts parts = near_kernels::part_scalar(
+          source.data(), count, 4, expected_equal.data(), expected_larger.data());
+      expected_equal.resize(parts.equal);
+      expected_larger.resize(parts.larger);
+      NearList equal;
+      NearList larger = source;
+      equal.take_equal(larger, 4, larger);
+      EXPECT_EQ(entries_of(equal), expected_equal) << count << " entries";
+      EXPECT_EQ(entries_of(larger), expected_larger) << count << " entries";
+    }
+  });
+}
+
 TEST(NearList, ExclusionIsTheSameWithEveryInstructionSet) {
   with_every_instruction_set([] {
-    for (const std::size_t count : {0, 1, 15, 16, 17, 63, 64, 65, 200}) {
+    for (const std::size_t count : {0, 1, 31, 32, 33, 127, 128, 129, 300}) {
       const NearList list = random_list(count, 4, 8);
       std::mt19937 random(9);
       std::vector<std::uint32_t> words(200);

@@ -95,21 +95,19 @@ void paint_vector(const NearEntry* entries, std::size_t count, const std::uint64
   kByDepth[depth](entries, count, balls, twig);
 }
 
-/// Writes the numbers of the elements of a leaf that are not full to `numbers`, which has room for
-/// all of them; returns how many. Nearly all rows are full.
-std::size_t find_gaps_vector(const std::uint64_t* leaf, unsigned* numbers) {
+/// Which elements of a leaf are not full: bit i for element i. Without a branch for each row, which
+/// could not be foretold.
+std::uint64_t find_gaps_vector(const std::uint64_t* leaf) {
+  static_assert(LeafPainter::kLeafElements == 64);
   const Tag d;
-  constexpr unsigned kElements = LeafPainter::kLeafElements;
-  const std::uint64_t full = ~std::uint64_t{0};
-  std::size_t found = 0;
-  for (unsigned first = 0; first < kElements; first += hn::Lanes(d)) {
-    if (hn::AllTrue(d, hn::Eq(hn::Load(d, leaf + first), hn::Set(d, full)))) continue;
-    for (unsigned element = first; element < first + hn::Lanes(d); ++element) {
-      numbers[found] = element;
-      found += leaf[element] != full;
-    }
+  const auto full = hn::Set(d, ~std::uint64_t{0});
+  std::uint64_t gaps = 0;
+  for (std::size_t first = 0; first < LeafPainter::kLeafElements; first += hn::Lanes(d)) {
+    std::uint8_t bits = 0;
+    hn::StoreMaskBits(d, hn::Ne(hn::Load(d, leaf + first), full), &bits);
+    gaps |= std::uint64_t{bits} << first;
   }
-  return found;
+  return gaps;
 }
 
 }  // namespace tagmint::codec::leaf_paint::HWY_NAMESPACE
@@ -123,15 +121,27 @@ HWY_EXPORT(find_gaps_vector);
 }  // namespace leaf_paint
 
 LeafPainter::LeafPainter() {
+  // The ball of an element, 64 words, depends on its own six bits of the centre and on how many of
+  // the upper three differ.
+  constexpr int kElementBits = 6;
+  constexpr unsigned kElementWords = 1u << kElementBits;
   constexpr unsigned kCentres = 1u << TwigBits::kRowBits;
+  constexpr int kMostUpper = TwigBits::kRowBits - kElementBits;
+  std::array<std::array<std::uint64_t, kElementWords>, kMostUpper + kMostRadius + 1> small{};
+  for (int radius = 0; radius <= kMostRadius; ++radius) {
+    for (unsigned centre = 0; centre < kElementWords; ++centre) {
+      for (unsigned word = 0; word < kElementWords; ++word) {
+        if (std::popcount(word ^ centre) > radius) continue;
+        small[kMostUpper + radius][centre] |= std::uint64_t{1} << word;
+      }
+    }
+  }
   for (int radius = 0; radius <= kMostRadius; ++radius) {
     for (unsigned centre = 0; centre < kCentres; ++centre) {
       Row& row = balls_.emplace_back();
-      row.elements.fill(0);
-      for (unsigned word = 0; word < kCentres; ++word) {
-        if (std::popcount(word ^ centre) <= radius) {
-          row.elements[word / 64] |= std::uint64_t{1} << (word % 64);
-        }
+      for (unsigned element = 0; element < TwigBits::kRowElements; ++element) {
+        const int differing = std::popcount(centre >> kElementBits ^ element);
+        row.elements[element] = small[kMostUpper + radius - differing][centre % kElementWords];
       }
     }
   }
@@ -151,11 +161,9 @@ void LeafPainter::append_unpainted(const TwigBits& twig, unsigned leaf, std::uin
                                    std::vector<std::uint32_t>& words) {
   using namespace leaf_paint;
   const std::size_t start = leaf * kLeafElements;
-  std::array<unsigned, kLeafElements + 1> gaps;
-  const std::size_t count =
-      HWY_DYNAMIC_DISPATCH(find_gaps_vector)(twig.elements.data() + start, gaps.data());
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t element = start + gaps[i];
+  std::uint64_t gaps = HWY_DYNAMIC_DISPATCH(find_gaps_vector)(twig.elements.data() + start);
+  for (; gaps != 0; gaps &= gaps - 1) {
+    const std::size_t element = start + static_cast<std::size_t>(std::countr_zero(gaps));
     const std::uint32_t first = prefix | static_cast<std::uint32_t>(element * 64);
     for (std::uint64_t left = ~twig.elements[element]; left != 0; left &= left - 1) {
       words.push_back(first | static_cast<std::uint32_t>(std::countr_zero(left)));

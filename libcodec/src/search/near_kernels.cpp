@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <bit>
 
 #include "search/near_list.h"
@@ -57,6 +58,22 @@ std::size_t narrow_vector(const NearEntry* HWY_RESTRICT entries, std::size_t cou
   return kept;
 }
 
+Parts part_vector(const NearEntry* entries, std::size_t count, int radius,
+                  NearEntry* HWY_RESTRICT equal, NearEntry* larger) {
+  const Tag d;
+  const SignedTag signed_d;
+  const auto radii = hn::Set(signed_d, radius);
+  Parts parts{0, 0};
+  for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+    const auto entry = hn::LoadU(d, entries + i);
+    const auto own = hn::ShiftRight<kNearBits>(hn::BitCast(signed_d, entry));
+    parts.equal += store_chosen(entry, hn::RebindMask(d, hn::Eq(own, radii)), equal + parts.equal);
+    parts.larger +=
+        store_chosen(entry, hn::RebindMask(d, hn::Gt(own, radii)), larger + parts.larger);
+  }
+  return parts;
+}
+
 std::size_t reach_vector(const SplitTurns& turns, const Subtree& subtree,
                          NearEntry* HWY_RESTRICT out) {
   const Tag d;
@@ -80,37 +97,66 @@ std::size_t reach_vector(const SplitTurns& turns, const Subtree& subtree,
   return kept;
 }
 
-/// Whether an entry excludes `word`.
-HWY_INLINE bool excludes(const NearEntry* entries, std::size_t count, std::uint32_t word,
-                         hn::Vec<Tag> mask) {
-  const Tag d;
-  const SignedTag signed_d;
-  const auto probe = hn::Set(d, word);
-  const auto is_far = [&](const NearEntry* at) HWY_ATTR {
-    const auto entry = hn::LoadU(d, at);
-    const auto differing =
-        hn::BitCast(signed_d, hn::PopulationCount(hn::And(hn::Xor(entry, probe), mask)));
-    return hn::Gt(differing, hn::ShiftRight<kNearBits>(hn::BitCast(signed_d, entry)));
-  };
-  // Four vectors for each branch.
-  const std::size_t lanes = hn::Lanes(d);
-  for (std::size_t i = 0; i < count; i += 4 * lanes) {
-    const auto first = hn::And(is_far(entries + i), is_far(entries + i + lanes));
-    const auto second = hn::And(is_far(entries + i + 2 * lanes), is_far(entries + i + 3 * lanes));
-    if (!hn::AllTrue(signed_d, hn::And(first, second))) return true;
+/// Four vectors of entries, taken apart.
+class FourVectors {
+ public:
+  explicit FourVectors(const NearEntry* entries)
+      : bits0_(hn::LoadU(Tag(), entries)),
+        bits1_(hn::LoadU(Tag(), entries + hn::Lanes(Tag()))),
+        bits2_(hn::LoadU(Tag(), entries + 2 * hn::Lanes(Tag()))),
+        bits3_(hn::LoadU(Tag(), entries + 3 * hn::Lanes(Tag()))),
+        radius0_(radii(bits0_)),
+        radius1_(radii(bits1_)),
+        radius2_(radii(bits2_)),
+        radius3_(radii(bits3_)) {}
+
+  /// The lanes of which no entry excludes `word`.
+  HWY_INLINE hn::Mask<SignedTag> far_from(hn::Vec<Tag> word, hn::Vec<Tag> mask) const {
+    const auto is_far = [&](hn::Vec<Tag> bits, hn::Vec<SignedTag> radius) HWY_ATTR {
+      const auto differing = hn::PopulationCount(hn::And(hn::Xor(bits, word), mask));
+      return hn::Gt(hn::BitCast(SignedTag(), differing), radius);
+    };
+    return hn::And(hn::And(is_far(bits0_, radius0_), is_far(bits1_, radius1_)),
+                   hn::And(is_far(bits2_, radius2_), is_far(bits3_, radius3_)));
   }
-  return false;
+
+ private:
+  static HWY_INLINE hn::Vec<SignedTag> radii(hn::Vec<Tag> entries) {
+    return hn::ShiftRight<kNearBits>(hn::BitCast(SignedTag(), entries));
+  }
+  hn::Vec<Tag> bits0_, bits1_, bits2_, bits3_;
+  hn::Vec<SignedTag> radius0_, radius1_, radius2_, radius3_;
+};
+
+constexpr std::size_t kBlock = 8 * hn::MaxLanes(Tag());
+
+/// keep_open() for kBlock entries. They stay in registers while all words pass by; whether a word
+/// stays is no branch, because it could not be foretold.
+HWY_INLINE std::size_t keep_open_of_block(const NearEntry* block, std::span<std::uint32_t> words,
+                                          hn::Vec<Tag> mask) {
+  const FourVectors first(block);
+  const FourVectors second(block + kBlock / 2);
+  std::size_t kept = 0;
+  for (const std::uint32_t word : words) {
+    const auto probe = hn::Set(Tag(), word);
+    words[kept] = word;
+    kept += hn::AllTrue(SignedTag(),
+                        hn::And(first.far_from(probe, mask), second.far_from(probe, mask)));
+  }
+  return kept;
 }
 
 std::size_t keep_open_vector(const NearEntry* entries, std::size_t count,
                              std::span<std::uint32_t> words, NearEntry mask_bits) {
   const auto mask = hn::Set(Tag(), mask_bits);
-  std::size_t kept = 0;
-  for (const std::uint32_t word : words) {
-    words[kept] = word;
-    kept += !excludes(entries, count, word, mask);
+  std::size_t i = 0;
+  for (; i + kBlock <= count && !words.empty(); i += kBlock) {
+    words = words.first(keep_open_of_block(entries + i, words, mask));
   }
-  return kept;
+  if (i >= count || words.empty()) return words.size();
+  std::array<NearEntry, kBlock> rest;
+  std::fill(std::copy(entries + i, entries + count, rest.begin()), rest.end(), kNothing);
+  return keep_open_of_block(rest.data(), words, mask);
 }
 
 }  // namespace tagmint::codec::near_kernels::HWY_NAMESPACE
@@ -120,6 +166,7 @@ HWY_AFTER_NAMESPACE();
 namespace tagmint::codec::near_kernels {
 
 HWY_EXPORT(narrow_vector);
+HWY_EXPORT(part_vector);
 HWY_EXPORT(reach_vector);
 HWY_EXPORT(keep_open_vector);
 
@@ -138,6 +185,21 @@ std::size_t narrow_scalar(const NearEntry* entries, std::size_t count, const Nar
     out[kept++] = near_entry(entries[i], radius);
   }
   return kept;
+}
+
+Parts part(const NearEntry* entries, std::size_t count, int radius, NearEntry* equal,
+           NearEntry* larger) {
+  return HWY_DYNAMIC_DISPATCH(part_vector)(entries, count, radius, equal, larger);
+}
+
+Parts part_scalar(const NearEntry* entries, std::size_t count, int radius, NearEntry* equal,
+                  NearEntry* larger) {
+  Parts parts{0, 0};
+  for (std::size_t i = 0; i < count; ++i) {
+    if (radius_of(entries[i]) == radius) equal[parts.equal++] = entries[i];
+    if (radius_of(entries[i]) > radius) larger[parts.larger++] = entries[i];
+  }
+  return parts;
 }
 
 std::size_t reach(const SplitTurns& turns, const Subtree& subtree, NearEntry* out) {

@@ -45,6 +45,22 @@ void NearList::append_some(const NearList& source, int least, int most) {
   pad();
 }
 
+void NearList::take_equal(const NearList& source, int radius, NearList& larger) {
+  const std::size_t count = source.size();
+  clear();
+  make_room(count);
+  if (&larger != &source) {
+    larger.clear();
+    larger.make_room(count);
+  }
+  const near_kernels::Parts parts =
+      near_kernels::part(source.data(), count, radius, entries_.data(), larger.entries_.data());
+  size_ = parts.equal;
+  larger.size_ = parts.larger;
+  pad();
+  larger.pad();
+}
+
 void NearList::append_reaching(const SplitTurns& turns, Codeword prefix, int undecided,
                                int radius) {
   make_room(turns.size());

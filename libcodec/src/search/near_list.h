@@ -25,6 +25,9 @@ constexpr int radius_of(NearEntry entry) {
   return static_cast<std::int32_t>(entry) >> kNearBits;  // arithmetic shift: keeps the sign
 }
 
+/// An entry that excludes nothing.
+inline constexpr NearEntry kNothing = near_entry(0, -1);
+
 /// Turns of codes in halves, for vectors of 32-bit lanes.
 class SplitTurns {
  public:
@@ -41,13 +44,12 @@ class SplitTurns {
 };
 
 /// The code turns that may still exclude words below a node. Behind the last entry there always is
-/// some vectors full of entries of radius -1, which exclude nothing, so that loops run over whole
+/// a vector full of entries of radius -1, which exclude nothing, so that loops run over whole
 /// vectors.
 class NearList {
  public:
-  /// Lanes of four of the widest vectors in use: how many entries the loops may read behind the
-  /// last one.
-  static constexpr std::size_t kPadding = 64;
+  /// Lanes of the widest vector in use: how many entries the loops may read behind the last one.
+  static constexpr std::size_t kPadding = 16;
 
   NearList() : entries_(kPadding, kNothing) {}
 
@@ -71,6 +73,10 @@ class NearList {
   ///   least    >= 0
   void append_some(const NearList& source, int least, int most);
 
+  /// Parts the entries of `source`: becomes those of a radius, while `larger` becomes those of
+  /// larger ones. `larger` may be `source`.
+  void take_equal(const NearList& source, int radius, NearList& larger);
+
   /// Adds those of `turns` that may exclude words of a subtree.
   ///   prefix      the decided bits of the subtree in place, the others 0
   ///   undecided   number of the others, at most kNearBits
@@ -82,7 +88,6 @@ class NearList {
   void exclude_from(std::vector<std::uint32_t>& words, int bits) const;
 
  private:
-  static constexpr NearEntry kNothing = near_entry(0, -1);
   void pad();
   void make_room(std::size_t more);
 
@@ -107,6 +112,17 @@ std::size_t narrow(const NearEntry* entries, std::size_t count, const Narrowing&
 std::size_t narrow_scalar(const NearEntry* entries, std::size_t count, const Narrowing& narrowing,
                           NearEntry* out);
 
+/// Writes the entries of a radius to `equal`, those of larger ones to `larger`, which may be
+/// `entries`. Both have room for count + NearList::kPadding. Returns the two numbers.
+struct Parts {
+  std::size_t equal;
+  std::size_t larger;
+};
+Parts part(const NearEntry* entries, std::size_t count, int radius, NearEntry* equal,
+           NearEntry* larger);
+Parts part_scalar(const NearEntry* entries, std::size_t count, int radius, NearEntry* equal,
+                  NearEntry* larger);
+
 /// The subtree that entries are made for.
 struct Subtree {
   Codeword prefix;  ///< the decided bits in place, the others 0
@@ -119,8 +135,7 @@ struct Subtree {
 std::size_t reach(const SplitTurns& turns, const Subtree& subtree, NearEntry* out);
 std::size_t reach_scalar(const SplitTurns& turns, const Subtree& subtree, NearEntry* out);
 
-/// Moves the words that no entry excludes to the front; returns their number. `entries` are padded
-/// as a NearList's.
+/// Moves the words that no entry excludes to the front; returns their number.
 ///   mask   the bits that count
 std::size_t keep_open(const NearEntry* entries, std::size_t count, std::span<std::uint32_t> words,
                       NearEntry mask);

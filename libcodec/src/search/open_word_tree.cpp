@@ -21,9 +21,9 @@ OpenWordTree::OpenWordTree(const TreeOrder& order, const LeafPainter& painter,
       turns_(turns),
       radius_(radius),
       paint_radius_(paint_radius),
-      row_radius_(std::max(0, paint_radius - 1)) {
+      plan_(best_paint_plan(order.bits(), radius, turns.size(), paint_radius)) {
   assert(radius >= 0 && paint_radius >= 0 && paint_radius <= radius);
-  for (Node& node : nodes_) node.tiers.resize(paint_radius + 1);
+  for (Node& node : nodes_) node.tiers.resize(paint_radius_ + 1);
 }
 
 int OpenWordTree::subtree_levels(const TreeOrder& order) {
@@ -52,19 +52,16 @@ void OpenWordTree::list_subtree(std::uint64_t subtree, std::vector<Codeword>& op
 }
 
 void OpenWordTree::descend(int level, SubtreeWord prefix, TreeOrder::Ties ties) {
-  if (level == kTwigLevel) {
-    paint_twig(prefix, ties);
-  } else {
-    const int shift = undecided_bits(level - 1);
-    for (unsigned nibble = 0; nibble < 16; ++nibble) {
-      if (TreeOrder::breaks_order(ties, nibble)) continue;
-      Node& child = nodes_[level - 1];
-      child.nibble = nibble;
-      child.made = 0;
-      descend(level - 1, prefix | nibble << shift, TreeOrder::after(ties, nibble));
-    }
+  if (level == kTwigLevel) return list_twig(prefix, ties);
+  const int shift = undecided_bits(level - 1);
+  for (unsigned nibble = 0; nibble < 16; ++nibble) {
+    if (TreeOrder::breaks_order(ties, nibble)) continue;
+    Node& child = nodes_[level - 1];
+    child.nibble = nibble;
+    child.made = 0;
+    descend(level - 1, prefix | nibble << shift, TreeOrder::after(ties, nibble));
   }
-  ask(level);
+  ask(level, 0);
 }
 
 const NearList& OpenWordTree::tier(int level, int tier) {
@@ -89,29 +86,33 @@ const NearList& OpenWordTree::tier(int level, int tier) {
   return node.tiers[tier];
 }
 
-void OpenWordTree::paint_twig(SubtreeWord prefix, TreeOrder::Ties ties) {
-  const NearList& balls = tier(kTwigLevel, 0);
+void OpenWordTree::list_twig(SubtreeWord prefix, TreeOrder::Ties ties) {
   twig_.elements.fill(0);
   // Balls of the same radius together, so that the loops of the painter are alike for all.
-  std::size_t left = balls.size();
-  for (int radius = paint_radius_; left > 0; ++radius) {
-    equal_balls_.clear();
-    equal_balls_.append_some(balls, radius, radius);
-    const int depth = std::clamp(radius - row_radius_, 0, LeafPainter::kMostDepth);
-    painter_.paint(equal_balls_, radius, depth, twig_);
-    left -= equal_balls_.size();
+  smallest_balls_.take_equal(tier(kTwigLevel, 0), paint_radius_, larger_balls_);
+  painter_.paint(smallest_balls_, paint_radius_, plan_.depth(paint_radius_), twig_);
+  const NearList* left = &larger_balls_;
+  for (int radius = paint_radius_ + 1; left->size() > 0; ++radius) {
+    equal_balls_.take_equal(*left, radius, rest_);
+    painter_.paint(equal_balls_, radius, plan_.depth(radius), twig_);
+    left = &rest_;
   }
+  std::vector<SubtreeWord>& words = nodes_[kTwigLevel].waiting;
   for (unsigned leaf = 0; leaf < 16; ++leaf) {
     if (TreeOrder::breaks_order(ties, leaf)) continue;
-    LeafPainter::append_unpainted(twig_, leaf, prefix, nodes_[kTwigLevel].waiting);
+    LeafPainter::append_unpainted(twig_, leaf, prefix, words);
   }
+  // Tier 0 once more, for its balls were not painted on all rows.
+  larger_balls_.exclude_from(words, undecided_bits(kTwigLevel));
+  smallest_balls_.exclude_from(words, undecided_bits(kTwigLevel));
+  ask(kTwigLevel, 1);
 }
 
-void OpenWordTree::ask(int level) {
+void OpenWordTree::ask(int level, int first_tier) {
   Node& node = nodes_[level];
   std::vector<SubtreeWord>& words = node.waiting;
   std::vector<SubtreeWord>* next = &open_;
-  for (int t = 0; t <= paint_radius_ && !words.empty(); ++t) {
+  for (int t = first_tier; t <= paint_radius_ && !words.empty(); ++t) {
     // Above, the lists of all tiers count again: a ball that has this radius here may have had a
     // larger one there.
     if (level < subtree_levels(order_) && node.made <= t && words.size() < kWorthNarrowing) {

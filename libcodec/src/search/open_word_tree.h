@@ -7,6 +7,7 @@
 
 #include "search/leaf_paint.h"
 #include "search/near_list.h"
+#include "search/paint_radius.h"
 #include "search/tree_order.h"
 #include "tagmint/codec/codeword.h"
 
@@ -67,11 +68,11 @@ class OpenWordTree {
 
   static int subtree_levels(const TreeOrder& order);
   void descend(int level, SubtreeWord prefix, TreeOrder::Ties ties);
-  void paint_twig(SubtreeWord prefix, TreeOrder::Ties ties);
+  void list_twig(SubtreeWord prefix, TreeOrder::Ties ties);
   /// Compares the words that wait at a node with its tiers, or lets them wait one level up.
-  void ask(int level);
+  void ask(int level, int first_tier);
   const NearList& tier(int level, int tier);
-  int least_radius(int tier) const { return tier == 0 ? paint_radius_ : paint_radius_ - tier; }
+  int least_radius(int tier) const { return paint_radius_ - tier; }
   int most_radius(int tier) const { return tier == 0 ? kMaxBits : paint_radius_ - tier; }
 
   const TreeOrder& order_;
@@ -79,10 +80,12 @@ class OpenWordTree {
   const SplitTurns turns_;
   int radius_;
   int paint_radius_;
-  int row_radius_;                           // rows are painted with balls of at least that radius
+  PaintPlan plan_;
   NearList reaching_;                        // all tiers of the subtree's root
   std::array<Node, kMostLevels + 1> nodes_;  // [level]: orbits still to decide above the leaves
-  NearList equal_balls_;
+  NearList smallest_balls_;                  // of a twig: radius p
+  NearList larger_balls_;                    // and larger ones
+  NearList equal_balls_, rest_;
   TwigBits twig_;
   std::vector<SubtreeWord> open_;  // of the subtree
 };
