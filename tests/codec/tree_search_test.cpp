@@ -92,7 +92,7 @@ TEST(LocalCrew, ListsAllWordsThatNoCodeExcludes) {
     const Walk walk(options.layout, options.order, 3);
     const auto expected = open_by_definition(walk, begun.codewords, min_hamming, 1000);
     for (int paint_radius = 0; paint_radius < min_hamming; ++paint_radius) {
-      LocalCrew crew(rules_of(options), 2, paint_radius);
+      LocalCrew crew(rules_of(options), 2, {.paint_radius = paint_radius});
       crew.learn(begun.codewords);
       const auto open = crew.list_open(0, subtree_count(walk.bits()));
       EXPECT_EQ(positions_of(open, walk, 1000), expected)
@@ -179,25 +179,33 @@ TEST(TreeSearch, GoesOnFromWhereverItWas) {
   const std::vector<SearchState> states = states_of(options, tuning);
   std::array<int, 4> seen{};
   for (std::size_t i = 0; i < states.size(); i += 1 + states.size() / 50) {
-    options.start = states[i];
     ++seen[static_cast<int>(states[i].phase)];
-    expect_same(search_by_tree(options, tuning), whole, "round " + std::to_string(i));
+    expect_same(search_by_tree(options, tuning, states[i]), whole, "round " + std::to_string(i));
   }
   EXPECT_GT(seen[static_cast<int>(SearchPhase::Walk)], 0);
   EXPECT_GT(seen[static_cast<int>(SearchPhase::List)], 0);
   EXPECT_GT(seen[static_cast<int>(SearchPhase::Choose)], 0);
 }
 
+TEST(WalkSearch, FindsWhatThePlainSearchFinds) {
+  for (const auto& [layout, min_hamming] : {std::pair{"circle:9", 5}, std::pair{"circle:9", 4}}) {
+    LexicodeOptions options = options_for(layout, min_hamming, "apriltag2", "rectangles:4");
+    const LexicodeResult plain = search_plain(options);
+    EXPECT_GT(plain.codewords.size(), 100u) << "too few for groups";
+    expect_same(search_by_walk(options), plain, layout);
+    options.limit_codes = plain.codewords.size() * 2 / 3;
+    expect_same(search_by_walk(options), search_plain(options), "limit");
+  }
+}
+
 TEST(TreeSearch, RefusesLimitsThatItHasPassed) {
   LexicodeOptions options = options_for("circle:9", 6, "seed:1", "none");
-  options.start.words_walked = 100;
-  options.start.codewords = {1, 2, 3};
-  options.start.walked_codes = 3;
+  const SearchState start{.words_walked = 100, .codewords = {1, 2, 3}, .walked_codes = 3};
   options.limit_words = 99;
-  EXPECT_THROW(search_lexicode(options), std::invalid_argument);
+  EXPECT_THROW(search_lexicode(options, start), std::invalid_argument);
   options.limit_words.reset();
   options.limit_codes = 2;
-  EXPECT_THROW(search_lexicode(options), std::invalid_argument);
+  EXPECT_THROW(search_lexicode(options, start), std::invalid_argument);
 }
 
 TEST(TreeSearch, EndsEarlyWhenAskedTo) {

@@ -131,14 +131,13 @@ Attempt SearchAttempts::run(std::size_t index, const codec::Order& order) {
   search.order = order;
   LexicodeOptions running = search;
   running.stop = guard_.token();
-  running.start = std::exchange(begun_.state, {});
   if (deadline_) running.time_limit = std::chrono::duration<double>(*deadline_ - Clock::now());
   if (checkpoint_) {
     running.step = [this](const codec::SearchStep& step) { checkpoint_->add(step); };
   }
   SearchDisplay display(common_, label(index));
   running.progress = [&](const SearchProgress& state) { display.update(state); };
-  attempt.result = codec::search_lexicode(running);
+  attempt.result = codec::search_lexicode(running, std::exchange(begun_.state, {}));
   display.clear();
   if (checkpoint_) checkpoint_->flush();
   guard_.throw_if_interrupted(

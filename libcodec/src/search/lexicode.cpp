@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <stdexcept>
 #include <utility>
 
 #include "search/engines.h"
+#include "search/local_crew.h"
 #include "search/search_run.h"
 #include "search/walk_scan.h"
 #include "tagmint/codec/layout_presets.h"
@@ -36,19 +38,33 @@ bool tree_pays(const LexicodeOptions& options) {
   return wanted >= kLeastWords && wanted >= all / 64;
 }
 
-}  // namespace
-
-LexicodeResult search_plain(const LexicodeOptions& options) {
-  SearchRun run(options);
+/// Every word of the walk, one round after the other.
+LexicodeResult walk_through(SearchRun& run) {
   WalkScan scan(run);
   std::optional<SearchEnd> end;
   while (!end) end = scan.step();
   return run.result(*end, run.state().words_walked);
 }
 
-LexicodeResult search_lexicode(const LexicodeOptions& options) {
-  const bool tree_begun = options.start.phase != SearchPhase::Walk;
-  return tree_begun || tree_pays(options) ? search_by_tree(options) : search_plain(options);
+}  // namespace
+
+LexicodeResult search_plain(const LexicodeOptions& options, SearchState start) {
+  const SearchRules rules = checked_rules(options);
+  SearchRun run(options, std::move(start),
+                std::make_unique<LocalCrew>(rules, options.threads,
+                                            LocalCrewTuning{.walk_by_groups = false}));
+  return walk_through(run);
+}
+
+LexicodeResult search_by_walk(const LexicodeOptions& options, SearchState start) {
+  SearchRun run(options, std::move(start));
+  return walk_through(run);
+}
+
+LexicodeResult search_lexicode(const LexicodeOptions& options, SearchState start) {
+  const bool tree_begun = start.phase != SearchPhase::Walk;
+  return tree_begun || tree_pays(options) ? search_by_tree(options, {}, std::move(start))
+                                          : search_by_walk(options, std::move(start));
 }
 
 Family make_family(const LexicodeOptions& options, const LexicodeResult& result, std::string name) {

@@ -38,10 +38,10 @@ LocalCrew::Forest::Forest(int bits, int min_hamming, std::span<const Codeword> c
   for (int i = 0; i < threads; ++i) trees.emplace_back(order, painter, turns, radius, painted);
 }
 
-LocalCrew::LocalCrew(const SearchRules& rules, int threads, std::optional<int> paint_radius)
+LocalCrew::LocalCrew(const SearchRules& rules, int threads, const LocalCrewTuning& tuning)
     : rules_(rules),
       threads_(thread_count(threads)),
-      paint_radius_(paint_radius),
+      tuning_(tuning),
       walk_(rules.layout, rules.order,
             walk_seed(rules.order, rules.layout, rules.min_hamming, rules.complexity)),
       sieve_(rules, walk_, threads_) {}
@@ -53,7 +53,7 @@ void LocalCrew::learn(std::span<const Codeword> codes) {
 }
 
 SiftedWords LocalCrew::sift(std::uint64_t first, std::uint64_t count) {
-  return sieve_.sift_walk(first, count);
+  return tuning_.walk_by_groups ? sieve_.sift_walk(first, count) : sieve_.sift_each(first, count);
 }
 
 std::vector<Codeword> LocalCrew::list_subtree(OpenWordTree& tree, std::uint64_t subtree) const {
@@ -68,8 +68,8 @@ std::vector<Codeword> LocalCrew::list_subtree(OpenWordTree& tree, std::uint64_t 
 
 std::vector<Codeword> LocalCrew::list_open(std::uint64_t first, std::uint64_t count) {
   if (!forest_) {
-    forest_ =
-        std::make_unique<Forest>(walk_.bits(), rules_.min_hamming, codes_, threads_, paint_radius_);
+    forest_ = std::make_unique<Forest>(walk_.bits(), rules_.min_hamming, codes_, threads_,
+                                       tuning_.paint_radius);
   }
   std::vector<std::vector<Codeword>> open(threads_);
   std::atomic<std::uint64_t> next{0};

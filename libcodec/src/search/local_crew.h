@@ -13,11 +13,18 @@
 
 namespace tagmint::codec {
 
+/// What a LocalCrew may be told; matters of speed, never of the result.
+struct LocalCrewTuning {
+  /// As OpenWordTree; nothing = chosen by the number of codes.
+  std::optional<int> paint_radius = std::nullopt;
+  /// Whether to sift the walk with WalkSieve where that is faster.
+  bool walk_by_groups = true;
+};
+
 /// The crew that is this process's threads.
 class LocalCrew : public SearchCrew {
  public:
-  /// `paint_radius` as OpenWordTree; nothing = chosen by the number of codes.
-  LocalCrew(const SearchRules& rules, int threads, std::optional<int> paint_radius = std::nullopt);
+  LocalCrew(const SearchRules& rules, int threads, const LocalCrewTuning& tuning = {});
 
   void learn(std::span<const Codeword> codes) override;
   SiftedWords sift(std::uint64_t first, std::uint64_t count) override;
@@ -39,7 +46,7 @@ class LocalCrew : public SearchCrew {
 
   SearchRules rules_;
   int threads_;
-  std::optional<int> paint_radius_;
+  LocalCrewTuning tuning_;
   Walk walk_;
   Sieve sieve_;
   std::vector<Codeword> codes_;

@@ -9,19 +9,7 @@
 namespace tagmint::codec {
 namespace {
 
-/// Returns the rules when a search can keep them.
-SearchRules checked_rules(const LexicodeOptions& options) {
-  const int bits = options.layout.bits();
-  if (options.min_hamming < 1 || options.min_hamming > bits) {
-    throw std::invalid_argument(
-        fmt::format("minimum Hamming distance {} is not possible with {} bits; 1 to {} are",
-                    options.min_hamming, bits, bits));
-  }
-  return rules_of(options);
-}
-
-void require_reachable_limits(const LexicodeOptions& options) {
-  const SearchState& start = options.start;
+void require_reachable_limits(const LexicodeOptions& options, const SearchState& start) {
   const std::uint64_t judged = std::max(start.words_walked, start.chosen_to);
   if (options.limit_words && *options.limit_words < judged) {
     throw std::invalid_argument(
@@ -46,17 +34,29 @@ SearchRules rules_of(const LexicodeOptions& options) {
   return {options.layout, options.min_hamming, options.order, options.complexity};
 }
 
-SearchRun::SearchRun(const LexicodeOptions& options) : SearchRun(options, crew_for(options)) {}
+SearchRules checked_rules(const LexicodeOptions& options) {
+  const int bits = options.layout.bits();
+  if (options.min_hamming < 1 || options.min_hamming > bits) {
+    throw std::invalid_argument(
+        fmt::format("minimum Hamming distance {} is not possible with {} bits; 1 to {} are",
+                    options.min_hamming, bits, bits));
+  }
+  return rules_of(options);
+}
 
-SearchRun::SearchRun(const LexicodeOptions& options, std::unique_ptr<SearchCrew> crew)
+SearchRun::SearchRun(const LexicodeOptions& options, SearchState start)
+    : SearchRun(options, std::move(start), crew_for(options)) {}
+
+SearchRun::SearchRun(const LexicodeOptions& options, SearchState start,
+                     std::unique_ptr<SearchCrew> crew)
     : options_(options),
       control_(options),
       walk_(options.layout, options.order,
             walk_seed(options.order, options.layout, options.min_hamming, options.complexity)),
       crew_(std::move(crew)),
-      state_(options.start),
+      state_(std::move(start)),
       last_(low_mask(options.layout.bits())) {
-  require_reachable_limits(options);
+  require_reachable_limits(options, state_);
   if (options.limit_words && *options.limit_words <= last_) last_ = *options.limit_words - 1;
   crew_->learn(std::span(state_.codewords).first(state_.walked_codes));
 }

@@ -13,12 +13,16 @@
 
 namespace tagmint::codec {
 
+/// The rules of a search. Throws std::invalid_argument for a distance outside 1..bits.
+SearchRules checked_rules(const LexicodeOptions& options);
+
 /// What the phases of one search share: its limits, how far it is, and who works on it.
 class SearchRun {
  public:
   /// `options` must outlive the object. Throws std::invalid_argument as search_lexicode().
-  explicit SearchRun(const LexicodeOptions& options);
-  SearchRun(const LexicodeOptions& options, std::unique_ptr<SearchCrew> crew);
+  SearchRun(const LexicodeOptions& options, SearchState start);
+  /// With a crew that keeps the rules of `options`.
+  SearchRun(const LexicodeOptions& options, SearchState start, std::unique_ptr<SearchCrew> crew);
 
   const LexicodeOptions& options() const { return options_; }
   const Walk& walk() const { return walk_; }

@@ -83,9 +83,11 @@ SiftedWords Sieve::sift(const WordSource& source, std::uint64_t first, std::uint
 }
 
 SiftedWords Sieve::sift_walk(std::uint64_t first, std::uint64_t count) {
-  if (WalkSieve::pays(turns_.size() / 4, count / workers_.size())) {
-    return sift_by_groups(first, count);
-  }
+  return WalkSieve::pays(turns_.size() / 4, count / workers_.size()) ? sift_by_groups(first, count)
+                                                                     : sift_each(first, count);
+}
+
+SiftedWords Sieve::sift_each(std::uint64_t first, std::uint64_t count) {
   return sift(
       [this](std::uint64_t begin, std::span<Codeword> words) {
         Codeword word = walk_.visited(begin + 1);

@@ -32,8 +32,10 @@ class Sieve {
   ///   cost   O(count * codes / threads) comparisons at worst; memory O(count / 100 + words kept)
   SiftedWords sift(const WordSource& source, std::uint64_t first, std::uint64_t count);
 
-  /// The same for the words `first` .. `first + count - 1` of the walk; faster where there are many
-  /// codes and words, as WalkSieve.
+  /// The same for the words `first` .. `first + count - 1` of the walk, one by one.
+  SiftedWords sift_each(std::uint64_t first, std::uint64_t count);
+
+  /// The same, with WalkSieve where there are so many codes and words that this is faster.
   SiftedWords sift_walk(std::uint64_t first, std::uint64_t count);
 
  private:

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "search/engines.h"
 #include "search/open_choice.h"
@@ -58,8 +59,9 @@ std::optional<SearchEnd> walk_far_enough(SearchRun& run, const ScanLength& lengt
 
 bool tree_search_possible(int bits) { return bits >= TreeOrder::kLeastBits && bits < kMaxBits; }
 
-LexicodeResult search_by_tree(const LexicodeOptions& options, const TreeSearchTuning& tuning) {
-  SearchRun run(options);
+LexicodeResult search_by_tree(const LexicodeOptions& options, const TreeSearchTuning& tuning,
+                              SearchState start) {
+  SearchRun run(options, std::move(start));
   ScanLength length(tuning, run.bits());
   const SearchState& state = run.state();
   // A search whose steps are kept can go on with an unfinished list another time.

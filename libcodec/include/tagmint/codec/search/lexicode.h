@@ -49,11 +49,9 @@ struct LexicodeOptions {
   std::stop_token stop = {};
   /// Called from the calling thread, a few times a second.
   std::function<void(const SearchProgress&)> progress = {};
-  /// Called from the calling thread after each round, a few times a second: what a SearchState that
-  /// starts as `start` must apply() to be able to go on from here.
+  /// Called from the calling thread after each round, a few times a second: what a SearchState must
+  /// apply() to be able to go on from here.
   std::function<void(const SearchStep&)> step = {};
-  /// Where an earlier search by the same rules had come to.
-  SearchState start = {};
   /// Who does the work; nothing = local_crew().
   CrewMaker crew = {};
 };
@@ -75,12 +73,13 @@ struct LexicodeResult {
 /// taken, and it is complex enough. The result depends on layout, distance, order and complexity
 /// alone, never on threads, on the crew, or on interruptions. Short walks are gone word by word,
 /// long ones through a tree of all words (docs/lexicodes.md).
+///   start    where an earlier search by the same rules had come to
 ///   errors   std::invalid_argument for a distance outside 1..bits, and for limits that `start` has
 ///            already passed
 ///   cost     processor time of complete searches: 25 bits half a second, 36 bits 2 to 15 s, 41
 ///            bits a minute, beyond about 45 bits hours
 ///   memory   8 bytes for each of up to 2^26 tags that are still possible, and 0.3 GB
-LexicodeResult search_lexicode(const LexicodeOptions& options);
+LexicodeResult search_lexicode(const LexicodeOptions& options, SearchState start = {});
 
 /// The family that a finished search gives; `name` empty = "tag" + layout prefix + bits + "h" +
 /// distance. Throws std::invalid_argument when no code was found.

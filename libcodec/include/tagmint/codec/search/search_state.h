@@ -30,11 +30,11 @@ struct SearchStep {
 struct SearchState {
   SearchPhase phase = SearchPhase::Walk;
   std::uint64_t words_walked = 0;
-  std::vector<Codeword> codewords;  ///< found so far, in order
-  std::size_t walked_codes = 0;     ///< of these, found in phase 1
+  std::vector<Codeword> codewords = {};  ///< found so far, in order
+  std::size_t walked_codes = 0;          ///< of these, found in phase 1
   std::uint64_t subtrees_listed = 0;
-  std::vector<Codeword> open_tags;  ///< one turn of each
-  std::uint64_t chosen_to = 0;      ///< phase 3: walk position
+  std::vector<Codeword> open_tags = {};  ///< one turn of each
+  std::uint64_t chosen_to = 0;           ///< phase 3: walk position
 
   /// Takes one more step. A step of phase 1 after one of phase 2 means that the list was given up.
   void apply(const SearchStep& step);
