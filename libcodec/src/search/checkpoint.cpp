@@ -15,7 +15,6 @@
 
 #include "posix_file.h"
 #include "search/checkpoint_record.h"
-#include "tagmint/codec/atomic_file.h"
 #include "tagmint/codec/errors.h"
 #include "tagmint/codec/layout_presets.h"
 
@@ -28,6 +27,8 @@ using Json = nlohmann::ordered_json;
 using Kind = CheckpointRecord::Kind;
 
 constexpr std::string_view kFirstWords = "tagmint checkpoint ";
+/// To be raised when the numbers in a record change their meaning: the form of the file, the walk,
+/// or which words belong to which subtree of SearchCrew::list_open().
 constexpr int kFormatVersion = 1;
 constexpr std::chrono::milliseconds kWriteEvery{200};
 constexpr std::chrono::seconds kFlushEvery{10};
@@ -51,33 +52,60 @@ std::string first_line(std::string_view header) {
   return std::string(header.substr(0, header.find('\n')));
 }
 
-/// Throws InputError unless the two lines at the beginning of the file are those of `header`.
-void require_header(const std::string& first, const std::string& second, const std::string& header,
-                    const CheckpointParameters& parameters, const fs::path& path) {
-  if (!first.starts_with(kFirstWords)) {
+/// The first two lines of a file with their ends, or all of a file that has fewer.
+std::string read_header(std::istream& file) {
+  std::string header;
+  for (int lines = 0; lines < 2;) {
+    const int byte = file.get();
+    if (byte == std::char_traits<char>::eof()) break;
+    header.push_back(static_cast<char>(byte));
+    lines += byte == '\n';
+  }
+  return header;
+}
+
+/// Throws InputError unless `second`, a line of a checkpoint, tells of the search by `parameters`.
+void require_parameters(std::string_view second, const CheckpointParameters& parameters,
+                        const fs::path& path) {
+  const Json theirs = Json::parse(second, nullptr, false);
+  const Json ours = parameters_json(parameters);
+  for (const auto& [key, value] : ours.items()) {
+    if (!theirs.is_object() || !theirs.contains(key)) {
+      throw InputError("the checkpoint is damaged in its second line", path.string(),
+                       "search anew with another file");
+    }
+    if (theirs[key] == value) continue;
+    throw InputError(
+        fmt::format("the checkpoint belongs to another search: {} is {} there, {} here", key,
+                    theirs[key].dump(), value.dump()),
+        path.string(), "repeat the options of that search, or search anew with another file");
+  }
+}
+
+/// Throws InputError unless `header`, the beginning of a file, is that of a checkpoint of the
+/// search by `parameters`.
+void require_header(const std::string& header, const CheckpointParameters& parameters,
+                    const fs::path& path) {
+  if (!header.starts_with(kFirstWords)) {
     throw InputError("is not a checkpoint of a search", path.string(),
                      "give the file that --checkpoint has written");
   }
-  if (first != first_line(header)) {
+  const std::string first = first_line(header);
+  if (first.size() + 1 >= header.size() || !header.ends_with('\n')) {
+    throw InputError("the checkpoint is cut off within its first two lines", path.string(),
+                     "remove it, and search anew");
+  }
+  if (first != fmt::format("{}{}", kFirstWords, kFormatVersion)) {
     throw InputError(fmt::format("the checkpoint has format {}, this program reads format {}",
                                  first.substr(kFirstWords.size()), kFormatVersion),
                      path.string(),
                      "go on with the version that wrote it, or search anew with another file");
   }
-  const Json theirs = Json::parse(second, nullptr, false);
-  const Json ours = parameters_json(parameters);
-  for (const auto& [key, value] : ours.items()) {
-    if (theirs.is_object() && theirs.contains(key) && theirs[key] == value) continue;
-    const std::string there =
-        theirs.is_object() && theirs.contains(key) ? theirs[key].dump() : "something else";
-    throw InputError(
-        fmt::format("the checkpoint belongs to another search: {} is {} there, {} here", key, there,
-                    value.dump()),
-        path.string(), "repeat the options of that search, or search anew with another file");
-  }
+  require_parameters(std::string_view(header).substr(first.size() + 1), parameters, path);
 }
 
-/// What the records add up to, and where the last whole one ends.
+/// What the records add up to, and where the last whole one ends: 0 where not even the header is
+/// there.
 struct Replay {
   CheckpointContent content;
   std::uint64_t end = 0;
@@ -100,17 +128,16 @@ Replay replay(const fs::path& path, const CheckpointParameters& parameters) {
     throw InputError("cannot read the checkpoint", path.string(),
                      "check that the file may be read");
   }
-  const std::uint64_t size = fs::file_size(path);
   const std::string expected = header(parameters);
-  std::string first;
-  std::string second;
-  std::getline(file, first);
-  std::getline(file, second);
-  require_header(first, second, expected, parameters, path);
-
+  const std::string found = read_header(file);
   Replay replayed;
-  replayed.end = first.size() + second.size() + 2;
-  replayed.digest = chained_digest("", first + "\n" + second + "\n");
+  // A search that was killed while it began its file.
+  if (found.size() < expected.size() && expected.starts_with(found)) return replayed;
+  require_header(found, parameters, path);
+
+  const std::uint64_t size = fs::file_size(path);
+  replayed.end = found.size();
+  replayed.digest = chained_digest("", found);
   CheckpointRecord record;
   while (replayed.end < size) {
     std::uint64_t bytes = 0;
@@ -134,25 +161,27 @@ Replay replay(const fs::path& path, const CheckpointParameters& parameters) {
 
 class Checkpoint::File {
  public:
-  File(const fs::path& path, CheckpointContent content, std::string digest)
-      : path_(path),
-        file_(path, O_WRONLY | O_APPEND),
-        digest_(std::move(digest)),
-        content_(std::move(content)) {
+  /// `flags` beside O_WRONLY as of open(). Nobody else may write while the object lives.
+  File(const fs::path& path, int flags) : path_(path), file_(path, O_WRONLY | flags) {
     if (!file_.is_open()) fail_to_write(errno, path);
-  }
-
-  /// Before anything is read, so that nobody writes meanwhile.
-  void lock() {
-    if (::flock(file_.get(), LOCK_EX | LOCK_NB) == 0) return;
-    throw OutputError("another search is using the checkpoint", path_.string(),
+    // Some network file systems have no locks; there the user sees to it.
+    if (::flock(file_.get(), LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+    throw OutputError("another search is using the checkpoint", path.string(),
                       "wait for it, or give another file");
   }
 
-  void restore(Replay replayed) {
+  void begin(const std::string& header) {
+    put(header);
+    digest_ = chained_digest("", header);
+    flush();
+  }
+
+  void restore(Replay replayed, const std::string& header) {
     if (::ftruncate(file_.get(), static_cast<off_t>(replayed.end)) != 0) {
       fail_to_write(errno, path_);
     }
+    if (replayed.end == 0) return begin(header);
+    size_ = replayed.end;
     digest_ = std::move(replayed.digest);
     content_ = std::move(replayed.content);
   }
@@ -174,7 +203,7 @@ class Checkpoint::File {
     if (!pending_) return;
     std::string digest = digest_;
     const std::string bytes = format_record(*pending_, digest);
-    if (!write_all(file_.get(), bytes)) fail_to_write(errno, path_);
+    put(bytes);
     digest_ = std::move(digest);
     pending_.reset();
     written_ = Clock::now();
@@ -187,9 +216,19 @@ class Checkpoint::File {
   }
 
  private:
+  /// Appends; what a failure left behind the last whole record is overwritten by the next attempt.
+  void put(std::string_view bytes) {
+    if (::lseek(file_.get(), static_cast<off_t>(size_), SEEK_SET) < 0 ||
+        !write_all(file_.get(), bytes)) {
+      fail_to_write(errno, path_);
+    }
+    size_ += bytes.size();
+  }
+
   fs::path path_;
   Descriptor file_;
-  std::string digest_;  // of the last record written
+  std::uint64_t size_ = 0;  // of all that was written whole
+  std::string digest_;      // of the last record written
   CheckpointContent content_;
   std::optional<CheckpointRecord> pending_;
   Clock::time_point written_ = Clock::now();
@@ -209,24 +248,30 @@ Checkpoint::~Checkpoint() {
 }
 
 Checkpoint Checkpoint::begin(const fs::path& path, const CheckpointParameters& parameters) {
+  if (fs::is_directory(path)) fail_to_write(EISDIR, path);
   if (fs::exists(path)) {
     throw OutputError("the checkpoint exists already", path.string(),
                       "go on from it with --resume, or remove it");
   }
-  const std::string first_bytes = header(parameters);
-  write_file_atomically(path, first_bytes);
-  auto file = std::make_unique<File>(path, CheckpointContent{}, chained_digest("", first_bytes));
-  file->lock();
+  auto file = std::make_unique<File>(path, O_CREAT | O_EXCL);
+  try {
+    file->begin(header(parameters));
+  } catch (const OutputError&) {
+    std::error_code ignored;
+    fs::remove(path, ignored);
+    throw;
+  }
   return Checkpoint(std::move(file));
 }
 
 Checkpoint Checkpoint::resume(const fs::path& path, const CheckpointParameters& parameters) {
   if (!fs::is_regular_file(path)) {
-    throw InputError("there is no such checkpoint", path.string(), "give the name of its file");
+    throw InputError(
+        fs::exists(path) ? "the checkpoint is not a file" : "there is no such checkpoint",
+        path.string(), "give the name of its file");
   }
-  auto file = std::make_unique<File>(path, CheckpointContent{}, std::string());
-  file->lock();
-  file->restore(replay(path, parameters));
+  auto file = std::make_unique<File>(path, 0);
+  file->restore(replay(path, parameters), header(parameters));
   return Checkpoint(std::move(file));
 }
 
