@@ -1,7 +1,6 @@
 #include "search/distance_filter.h"
 
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include <array>
 #include <cstdint>
@@ -9,6 +8,7 @@
 #include <vector>
 
 #include "search/turn_blocks.h"
+#include "support/instruction_sets.h"
 #include "tagmint/codec/rotation.h"
 
 namespace tagmint::codec {
@@ -59,9 +59,7 @@ TEST(DistanceFilter, KeepsWhatIsFarFromAllTurnsOfAllCodes) {
 }
 
 TEST(DistanceFilter, EveryInstructionSetGivesTheScalarAnswer) {
-  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-    hwy::SetSupportedTargetsForTest(target);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  tagmint::testing::with_every_instruction_set([] {
     for (const std::size_t code_count : {0, 1, 2, 3, 64, 65}) {
       TurnBlocks blocks;
       TurnBlocks scalar_blocks;
@@ -73,12 +71,10 @@ TEST(DistanceFilter, EveryInstructionSetGivesTheScalarAnswer) {
         const std::vector<Codeword> words = random_words(word_count, 4);
         EXPECT_EQ(kept_by(keep_distant, words, blocks, 11),
                   kept_by(keep_distant_scalar, words, scalar_blocks, 11))
-            << hwy::TargetName(target) << ", " << code_count << " codes";
+            << code_count << " codes";
       }
     }
-  }
-  hwy::SetSupportedTargetsForTest(0);
-  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  });
 }
 
 TEST(DistanceFilter, CodesAddedAfterBlocksMovedCount) {

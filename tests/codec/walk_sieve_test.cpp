@@ -1,7 +1,6 @@
 #include "search/walk_sieve.h"
 
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -11,6 +10,7 @@
 #include "search/distance_filter.h"
 #include "search/sieve_kernels.h"
 #include "search/turn_index.h"
+#include "support/instruction_sets.h"
 #include "tagmint/codec/builtin_families.h"
 #include "tagmint/codec/rotation.h"
 #include "tagmint/codec/search/order.h"
@@ -18,18 +18,7 @@
 namespace tagmint::codec {
 namespace {
 
-/// Runs `check` with each instruction set that was compiled and that this machine has.
-template <typename Check>
-void with_every_instruction_set(const Check& check) {
-  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-    hwy::SetSupportedTargetsForTest(target);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-    SCOPED_TRACE(hwy::TargetName(target));
-    check();
-  }
-  hwy::SetSupportedTargetsForTest(0);
-  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-}
+using tagmint::testing::with_every_instruction_set;
 
 std::vector<Codeword> random_words(std::size_t count, int bits, std::uint64_t seed) {
   std::mt19937_64 random(seed);

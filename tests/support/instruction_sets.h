@@ -1,5 +1,6 @@
 #pragma once
 
+#define HWY_WANT_AVX3_DL  // as the kernels: the AVX-512 that counts bits is one of the sets
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
 
