@@ -10,6 +10,7 @@
 #include <span>
 #include <stop_token>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "search/engines.h"
@@ -42,10 +43,11 @@ TEST(Checkpoint, SearchGoesOnFromEveryPlaceToTheSameResult) {
         folder.write("search", written.file.substr(0, written.places[i].bytes));
     Checkpoint checkpoint = Checkpoint::resume(path, parameters_of(options));
     LexicodeOptions rest = options;
-    rest.start = checkpoint.take_content().state;
-    ++seen[static_cast<int>(rest.start.phase)];
+    SearchState start = checkpoint.take_content().state;
+    ++seen[static_cast<int>(start.phase)];
     rest.step = [&](const SearchStep& step) { checkpoint.add(step); };
-    expect_same(search_by_tree(rest, kEarlyTree), whole, fmt::format("record {}", i));
+    expect_same(search_by_tree(rest, kEarlyTree, std::move(start)), whole,
+                fmt::format("record {}", i));
   }
   for (const SearchPhase phase : {SearchPhase::Walk, SearchPhase::List, SearchPhase::Choose}) {
     EXPECT_GT(seen[static_cast<int>(phase)], 0) << static_cast<int>(phase);
@@ -62,7 +64,6 @@ TEST(Checkpoint, SearchThatIsStoppedAgainAndAgainEndsWithTheSameResult) {
   int stops = 0;
   for (;; ++stops) {
     LexicodeOptions rest = options;
-    rest.start = checkpoint->take_content().state;
     std::stop_source source;
     rest.stop = source.get_token();
     int steps = 0;
@@ -70,7 +71,7 @@ TEST(Checkpoint, SearchThatIsStoppedAgainAndAgainEndsWithTheSameResult) {
       checkpoint->add(step);
       if (++steps == 2) source.request_stop();
     };
-    result = search_by_tree(rest, kEarlyTree);
+    result = search_by_tree(rest, kEarlyTree, checkpoint->take_content().state);
     if (result.end != SearchEnd::Stopped) break;
     checkpoint.reset();
     checkpoint = Checkpoint::resume(path, parameters_of(options));
@@ -104,9 +105,8 @@ TEST(Checkpoint, SearchGoesOnBehindARecordThatWasCutOff) {
   LexicodeOptions rest = options;
   {
     Checkpoint checkpoint = Checkpoint::resume(path, parameters_of(options));
-    rest.start = checkpoint.take_content().state;
     rest.step = [&](const SearchStep& step) { checkpoint.add(step); };
-    search_by_tree(rest, kEarlyTree);
+    search_by_tree(rest, kEarlyTree, checkpoint.take_content().state);
   }
   const CheckpointContent content = Checkpoint::resume(path, parameters_of(options)).take_content();
   EXPECT_EQ(content.state.codewords, written.result.codewords);
