@@ -97,6 +97,11 @@ void require_family_file(const std::string& output) {
   require_writable(output);
 }
 
+std::string crew_text(const Common& common) {
+  const int threads = common.threads > 0 ? common.processes * common.threads : common.crew_cores;
+  return fmt::format("{} processes with {} threads together", common.processes, threads);
+}
+
 int run(const Options& options, const Common& common) {
   if (options.method != "lexicode") {
     throw UsageError(fmt::format("the method {} is not part of this version", options.method),
@@ -108,6 +113,7 @@ int run(const Options& options, const Common& common) {
   if (options.resume && options.checkpoint.empty()) {
     throw UsageError("nothing says where to go on from", "--resume", "give --checkpoint FILE too");
   }
+  if (common.crew) say(common, crew_text(common));
   SearchAttempts attempts(search, options.attempts, {options.checkpoint, options.resume}, common);
   const Attempt best = attempts.best();
   if (best.result.codewords.empty()) {

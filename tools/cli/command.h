@@ -38,8 +38,10 @@ struct Common {
   int threads = 0;  ///< 0 = all cores
   bool quiet = false;
   ProgressMode progress = ProgressMode::Auto;
-  /// Not an option: who does the work of searches; nothing = the threads of this process.
-  codec::CrewMaker crew = {};
+  // No options, but how the program was started:
+  codec::CrewMaker crew = {};  ///< who does the work of searches; nothing = this process
+  int processes = 1;           ///< in the crew
+  int crew_cores = 0;          ///< that these have together, a thread each
 };
 
 /// Does the command's work after its options were parsed; returns the exit code, throws Fault for

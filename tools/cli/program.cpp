@@ -40,10 +40,7 @@ const Command& find_command(const std::string& name) {
                    hint.empty() ? "see 'tagmint --help'" : hint);
 }
 
-int run_command(const Command& command, std::vector<std::string> arguments,
-                const codec::CrewMaker& crew) {
-  Common common;
-  common.crew = crew;
+int run_command(const Command& command, std::vector<std::string> arguments, Common common) {
   CLI::App app;
   app.set_help_flag();
   app.option_defaults()->always_capture_default();
@@ -66,7 +63,7 @@ int run_command(const Command& command, std::vector<std::string> arguments,
   return runner();
 }
 
-int dispatch(std::vector<std::string> arguments, const codec::CrewMaker& crew) {
+int dispatch(std::vector<std::string> arguments, const Common& common) {
   if (arguments.empty()) throw UsageError("no command given", "", "see 'tagmint --help'");
   const std::string first = arguments.front();
   if (is_help(first)) {
@@ -85,14 +82,14 @@ int dispatch(std::vector<std::string> arguments, const codec::CrewMaker& crew) {
   }
   const Command& command = find_command(first);
   arguments.erase(arguments.begin());
-  return run_command(command, std::move(arguments), crew);
+  return run_command(command, std::move(arguments), common);
 }
 
 }  // namespace
 
-int run_program(int argc, const char* const* argv, const codec::CrewMaker& crew) {
+int run_program(int argc, const char* const* argv, const Common& common) {
   return report_faults([&] {
-    return dispatch(std::vector<std::string>(argv + std::min(argc, 1), argv + argc), crew);
+    return dispatch(std::vector<std::string>(argv + std::min(argc, 1), argv + argc), common);
   });
 }
 

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "tagmint/codec/search/crew.h"
+#include "cli/command.h"
 
 namespace tagmint::cli {
 
 /// The whole program: parses the command line, runs the command, prints faults in one line, returns
 /// the exit code.
-///   crew   who does the work of searches; nothing = the threads of this process
-int run_program(int argc, const char* const* argv, const codec::CrewMaker& crew = {});
+///   common   what the common options are where they are not given
+int run_program(int argc, const char* const* argv, const Common& common = {});
 
 }  // namespace tagmint::cli

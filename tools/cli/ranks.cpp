@@ -28,7 +28,13 @@ void leave_signals_to_the_leader() {
 }
 
 int lead(cluster::Cluster& cluster, int argc, const char* const* argv) {
-  const int exit_code = run_program(argc, argv, cluster.crew_maker());
+  const Common common{.threads = 0,
+                      .quiet = false,
+                      .progress = ProgressMode::Auto,
+                      .crew = cluster.crew_maker(),
+                      .processes = cluster.ranks(),
+                      .crew_cores = cluster.cores()};
+  const int exit_code = run_program(argc, argv, common);
   cluster.end(exit_code);
   return exit_code;
 }

@@ -42,6 +42,7 @@ struct Cluster::Job {
   mpi::environment environment;
   mpi::communicator world;
   int threads = own_share_of_cores(world);
+  int all_threads = mpi::all_reduce(world, threads, std::plus<int>());
 };
 
 Cluster::Cluster(int launched_ranks) : job_(std::make_unique<Job>()) {
@@ -57,6 +58,8 @@ Cluster::~Cluster() = default;
 int Cluster::rank() const { return job_->world.rank(); }
 
 int Cluster::ranks() const { return job_->world.size(); }
+
+int Cluster::cores() const { return job_->all_threads; }
 
 std::string Cluster::name() const {
   return fmt::format("rank {} on {}", rank(), mpi::environment::processor_name());

@@ -22,6 +22,8 @@ class Cluster {
 
   int rank() const;
   int ranks() const;
+  /// Cores of all ranks together, each counted once where several may run on it.
+  int cores() const;
   bool leads() const { return rank() == 0; }
   /// "rank 3 on node17", for messages.
   std::string name() const;
