@@ -26,7 +26,7 @@ inline ProgramResult tagmint(const std::vector<std::string>& arguments) {
 inline void expect_fault(const std::vector<std::string>& arguments, int exit_code,
                          const std::string& fault) {
   const ProgramResult result = tagmint(arguments);
-  SCOPED_TRACE(testing::PrintToString(arguments));
+  SCOPED_TRACE(::testing::PrintToString(arguments));
   EXPECT_EQ(result.exit_code, exit_code);
   EXPECT_EQ(result.err, "tagmint: error: " + fault + "\n");
   EXPECT_EQ(result.out, "");

@@ -102,6 +102,15 @@ std::string crew_text(const Common& common) {
   return fmt::format("{} processes with {} threads together", common.processes, threads);
 }
 
+/// The checkpoint is removed when the family is written.
+void require_two_files(const Options& options) {
+  namespace fs = std::filesystem;
+  if (options.checkpoint.empty() || is_stdout(options.output)) return;
+  if (fs::weakly_canonical(options.checkpoint) != fs::weakly_canonical(options.output)) return;
+  throw UsageError("the checkpoint and the family would be the same file", "--checkpoint",
+                   "give it another name than --output");
+}
+
 int run(const Options& options, const Common& common) {
   if (options.method != "lexicode") {
     throw UsageError(fmt::format("the method {} is not part of this version", options.method),
@@ -113,6 +122,7 @@ int run(const Options& options, const Common& common) {
   if (options.resume && options.checkpoint.empty()) {
     throw UsageError("nothing says where to go on from", "--resume", "give --checkpoint FILE too");
   }
+  require_two_files(options);
   if (common.crew) say(common, crew_text(common));
   SearchAttempts attempts(search, options.attempts, {options.checkpoint, options.resume}, common);
   const Attempt best = attempts.best();
