@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "search/greedy.h"
 #include "search/open_listing.h"
@@ -17,49 +18,72 @@ namespace {
 constexpr std::uint64_t kFewestWords = 256;
 constexpr std::uint64_t kMostWords = std::uint64_t{1} << 22;
 
+/// A stretch of the walk: positions after + 1 .. to.
+struct Stretch {
+  std::uint64_t after = 0;
+  std::uint64_t to = 0;
+};
+
+/// The number of tags still open falls as one over the words walked. So the walk is gone in
+/// stretches, each three times as long as all before, and what the codes of one stretch exclude is
+/// forgotten before the next: each holds few words, though the last one is most of the walk.
 class OpenChoice {
  public:
   OpenChoice(SearchRun& run, std::size_t most_positions)
       : run_(run),
         most_positions_(most_positions),
-        sieve_(rules_of(run.options()), run.walk(), thread_count(run.options().threads)),
-        pacer_(kFewestWords, kMostWords, std::chrono::milliseconds(200)) {
-    // The open words are far enough from the codes of phase 1 already.
-    const SearchState& state = run.state();
-    sieve_.learn(std::span(state.codewords).subspan(state.walked_codes));
-  }
+        open_(run.take_open_tags()),
+        pacer_(kFewestWords, kMostWords, std::chrono::milliseconds(200)) {}
 
   LexicodeResult run() {
     const SearchState& state = run_.state();
-    std::uint64_t after = std::max(state.words_walked, state.chosen_to);
-    const std::uint64_t words_left = run_.last_index() + 1 - after;
-    const std::uint64_t stretch = stretch_length(words_left);
-    while (after < run_.last_index() + 1) {
-      const std::uint64_t to = after + std::min(stretch, run_.last_index() + 1 - after);
-      if (const auto end = choose(positions(after, to))) {
-        return run_.result(*end, std::max(state.words_walked, state.chosen_to));
+    // The open tags are far enough from the codes of phase 1.
+    forget_near(state.walked_codes);
+    std::uint64_t done = std::max(state.words_walked, state.chosen_to);
+    while (done < run_.last_index() + 1) {
+      // Asked here as well, as there may be no open word in a stretch.
+      if (const auto end = run_.control().must_end()) return run_.result(*end, done);
+      const Stretch stretch = next(done);
+      const std::size_t known = state.codewords.size();
+      if (const auto end = choose(positions(stretch))) {
+        return run_.result(*end, std::max(done, state.chosen_to));
       }
-      after = to;
-      run_.advance({SearchPhase::Choose, after, {}});
+      done = stretch.to;
+      run_.advance({SearchPhase::Choose, done, {}});
+      if (done < run_.last_index() + 1) forget_near(known);
     }
-    return run_.result(run_.end_of_words(), after);
+    return run_.result(run_.end_of_words(), done);
   }
 
  private:
-  /// Words of the walk that hold about `most_positions_` open ones; they lie evenly.
-  std::uint64_t stretch_length(std::uint64_t words_left) const {
-    const double open = 4.0 * static_cast<double>(run_.state().open_tags.size());
-    const double stretches = std::ceil(open / static_cast<double>(most_positions_));
-    return words_left / static_cast<std::uint64_t>(std::max(stretches, 1.0)) + 1;
+  Sieve new_sieve() const {
+    return Sieve(rules_of(run_.options()), run_.walk(), thread_count(run_.options().threads));
   }
 
-  /// Ascending walk positions in after + 1 .. to of all turns of the open tags.
-  std::vector<std::uint64_t> positions(std::uint64_t after, std::uint64_t to) const {
+  /// Forgets the tags that are too near to a code from number `first` on.
+  void forget_near(std::size_t first) {
+    Sieve sieve = new_sieve();
+    sieve.learn(std::span(run_.state().codewords).subspan(first));
+    sieve.erase_near(open_, [this] { return run_.control().must_end().has_value(); });
+  }
+
+  /// The stretch behind position `after`, with about `most_positions_` open words at most.
+  Stretch next(std::uint64_t after) const {
+    const double open_words = 4.0 * static_cast<double>(open_.size());
+    const double most = std::ldexp(static_cast<double>(most_positions_), run_.bits()) / open_words;
+    const double length = std::min(3.0 * static_cast<double>(after) + 1, most);
+    const std::uint64_t left = run_.last_index() + 1 - after;
+    if (length >= static_cast<double>(left)) return {after, after + left};
+    return {after, after + std::clamp<std::uint64_t>(static_cast<std::uint64_t>(length), 1, left)};
+  }
+
+  /// Ascending walk positions in the stretch of all turns of the open tags.
+  std::vector<std::uint64_t> positions(Stretch stretch) const {
     std::vector<std::uint64_t> positions;
-    for (const Codeword tag : run_.state().open_tags) {
+    for (const Codeword tag : open_) {
       for (int turn = 0; turn < 4; ++turn) {
         const std::uint64_t position = run_.walk().position_of(rotate(tag, run_.bits(), turn));
-        if (position > after && position <= to) positions.push_back(position);
+        if (position > stretch.after && position <= stretch.to) positions.push_back(position);
       }
     }
     std::sort(positions.begin(), positions.end());
@@ -67,23 +91,24 @@ class OpenChoice {
     return positions;
   }
 
-  /// The choice among the words at `positions`. Returns why the search is over, nothing while it is
-  /// not.
+  /// The choice among the words at `positions`, which are far enough from all codes before. Returns
+  /// why the search is over, nothing while it is not.
   std::optional<SearchEnd> choose(const std::vector<std::uint64_t>& positions) {
     const auto source = [&](std::uint64_t first, std::span<Codeword> words) {
       for (std::size_t i = 0; i < words.size(); ++i) {
         words[i] = run_.walk().visited(positions[first + i]);
       }
     };
+    Sieve sieve = new_sieve();
     for (std::uint64_t next = 0; next < positions.size();) {
       if (run_.codes_left() == 0) return SearchEnd::LimitCodes;
       if (const auto end = run_.control().must_end()) return end;
       const std::uint64_t count = std::min<std::uint64_t>(pacer_.pieces(), positions.size() - next);
       const auto before = run_.control().elapsed();
-      const SiftedWords sifted = sieve_.sift(source, next, count);
+      const SiftedWords sifted = sieve.sift(source, next, count);
       const Round round = choose_greedily(sifted, run_.bits(), run_.options().min_hamming, next,
                                           count, run_.codes_left());
-      sieve_.learn(round.taken);
+      sieve.learn(round.taken);
       pacer_.learn(run_.control().elapsed() - before, round.overlapping > round.taken.size() + 16);
       next += round.judged;
       run_.advance({SearchPhase::Choose, positions[next - 1], round.taken});
@@ -111,7 +136,7 @@ class OpenChoice {
 
   SearchRun& run_;
   std::size_t most_positions_;
-  Sieve sieve_;
+  std::vector<Codeword> open_;
   RoundPacer pacer_;
 };
 

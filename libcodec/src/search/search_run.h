@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "search/search_control.h"
 #include "tagmint/codec/search/crew.h"
@@ -38,6 +40,9 @@ class SearchRun {
   SearchEnd end_of_words() const;
   /// Codes that may still be taken.
   std::size_t codes_left() const;
+
+  /// Hands over the open tags, once phase 2 is done; the state is without them from then on.
+  std::vector<Codeword> take_open_tags() { return std::exchange(state_.open_tags, {}); }
 
   /// Takes one step on, and tells the caller.
   void advance(const SearchStep& step);

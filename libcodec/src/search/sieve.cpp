@@ -41,6 +41,15 @@ void Sieve::learn(std::span<const Codeword> codes) {
   }
 }
 
+/// The codes as one thread has them, brought up to date.
+TurnBlocks& Sieve::blocks_of(int worker) {
+  auto& [blocks, known, scratch] = workers_[worker];
+  for (; known < turns_.size(); known += 4) {
+    blocks.add(std::span(turns_).subspan(known).first<4>());
+  }
+  return blocks;
+}
+
 /// Keeps a word that is far enough from all codes, where it passes the other tests.
 void Sieve::judge(std::uint64_t index, Codeword visited, SiftedWords& sifted) const {
   const Codeword word = walk_.to_codeword(visited);
@@ -69,17 +78,43 @@ SiftedWords Sieve::sift(const WordSource& source, std::uint64_t first, std::uint
   std::atomic<std::uint64_t> next_portion{0};
   const auto workers = static_cast<int>(std::min<std::uint64_t>(workers_.size(), portions));
   run_workers(workers, [&](int id) {
-    Worker& worker = workers_[id];
-    for (; worker.known < turns_.size(); worker.known += 4) {
-      worker.blocks.add(std::span(turns_).subspan(worker.known).first<4>());
-    }
+    TurnBlocks& blocks = blocks_of(id);
     for (std::uint64_t p; (p = next_portion++) < portions;) {
       const std::uint64_t begin = p * kPortion;
       const auto size = static_cast<std::size_t>(std::min<std::uint64_t>(kPortion, count - begin));
-      sifted[p] = sift_portion(source, first + begin, size, worker.blocks);
+      sifted[p] = sift_portion(source, first + begin, size, blocks);
     }
   });
   return joined(sifted);
+}
+
+void Sieve::erase_near(std::vector<Codeword>& codewords, const std::function<bool()>& must_end) {
+  if (turns_.empty()) return;
+  // A word that may stay moves to the beginning of its own portion; the portions close up at last.
+  const std::size_t portions = (codewords.size() + kPortion - 1) / kPortion;
+  std::vector<std::size_t> left(portions);
+  std::atomic<std::size_t> next_portion{0};
+  run_workers(static_cast<int>(workers_.size()), [&](int id) {
+    TurnBlocks& blocks = blocks_of(id);
+    std::array<Codeword, kPortion> visited;
+    std::array<std::uint32_t, kPortion> distant;
+    for (std::size_t p; (p = next_portion++) < portions;) {
+      Codeword* const begin = codewords.data() + p * kPortion;
+      const std::size_t size = std::min(kPortion, codewords.size() - p * kPortion);
+      left[p] = size;
+      if (must_end()) continue;
+      std::transform(begin, begin + size, visited.begin(),
+                     [this](Codeword word) { return walk_.to_visited(word); });
+      left[p] = keep_distant({visited.data(), size}, blocks, min_hamming_, distant.data());
+      for (std::size_t i = 0; i < left[p]; ++i) begin[i] = begin[distant[i]];
+    }
+  });
+  auto end = codewords.begin();
+  for (std::size_t p = 0; p < portions; ++p) {
+    const auto begin = codewords.begin() + static_cast<std::ptrdiff_t>(p * kPortion);
+    end = std::copy(begin, begin + static_cast<std::ptrdiff_t>(left[p]), end);
+  }
+  codewords.erase(end, codewords.end());
 }
 
 SiftedWords Sieve::sift_walk(std::uint64_t first, std::uint64_t count) {

@@ -32,7 +32,11 @@ class Sieve {
   ///   cost   O(count * codes / threads) comparisons at worst; memory O(count / 100 + words kept)
   SiftedWords sift(const WordSource& source, std::uint64_t first, std::uint64_t count);
 
-  /// The same for the words `first` .. `first + count - 1` of the walk, one by one.
+  /// Removes the codewords that are too near to a code, whatever their own turns and complexity.
+  /// Once `must_end` says so, the rest of them stay as they are; it is asked from all threads.
+  void erase_near(std::vector<Codeword>& codewords, const std::function<bool()>& must_end);
+
+  /// The same as sift() for the words `first` .. `first + count - 1` of the walk, one by one.
   SiftedWords sift_each(std::uint64_t first, std::uint64_t count);
 
   /// The same, with WalkSieve where there are so many codes and words that this is faster.
@@ -49,6 +53,7 @@ class Sieve {
   SiftedWords sift_portion(const WordSource& source, std::uint64_t first, std::size_t count,
                            TurnBlocks& blocks);
   SiftedWords sift_by_groups(std::uint64_t first, std::uint64_t count);
+  TurnBlocks& blocks_of(int worker);
   void judge(std::uint64_t index, Codeword visited, SiftedWords& sifted) const;
 
   int bits_;
