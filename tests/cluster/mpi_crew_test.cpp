@@ -91,7 +91,7 @@ TEST(MpiCrew, OneSearchFollowsAnother) {
 }  // namespace tagmint::cluster
 
 int main(int argc, char** argv) {
-  tagmint::cluster::Cluster cluster(0);
+  tagmint::cluster::Cluster cluster;
   if (!cluster.leads()) return cluster.serve();
   tagmint::cluster::g_cluster = &cluster;
   testing::InitGoogleTest(&argc, argv);

@@ -119,6 +119,19 @@ TEST(Mpirun, RanksWithDifferentCommandLinesRunEachItsOwn) {
   }
 }
 
+TEST(Mpirun, ASearchOfProcessesThatDoNotFindEachOtherIsRefused) {
+  const Words strangers = {"PMI_RANK=0", "PMI_SIZE=4"};  // of a launcher that does not help them
+  const ProgramResult search =
+      RunningProgram(tagmint_words(tree_search()), Stderr::Pipe, strangers).finish();
+  EXPECT_EQ(search.exit_code, 2);
+  EXPECT_NE(search.err.find("4 processes were started that do not find each other"),
+            std::string::npos)
+      << search.err;
+  const ProgramResult other =
+      RunningProgram(tagmint_words({"families"}), Stderr::Pipe, strangers).finish();
+  EXPECT_EQ(other.out, tagmint({"families"}).out);
+}
+
 TEST(Mpirun, TheLeaderEndsTheProgramWhenItIsInterrupted) {
   const ScratchFolder folder;
   RunningProgram program(with_pid_files(2, folder, endless()), Stderr::Pipe, kRootMayRunIt);

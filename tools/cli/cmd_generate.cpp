@@ -123,7 +123,14 @@ int run(const Options& options, const Common& common) {
     throw UsageError("nothing says where to go on from", "--resume", "give --checkpoint FILE too");
   }
   require_two_files(options);
-  if (common.crew) say(common, crew_text(common));
+  if (common.crew) {
+    say(common, crew_text(common));
+  } else if (common.processes > 1) {
+    throw UsageError(
+        fmt::format("{} processes were started that do not find each other", common.processes), "",
+        "start a tagmint that is built with MPI by mpirun or srun --mpi=pmix; for searches apart, "
+        "srun --mpi=none");
+  }
   SearchAttempts attempts(search, options.attempts, {options.checkpoint, options.resume}, common);
   const Attempt best = attempts.best();
   if (best.result.codewords.empty()) {

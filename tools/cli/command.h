@@ -40,7 +40,7 @@ struct Common {
   ProgressMode progress = ProgressMode::Auto;
   // No options, but how the program was started:
   codec::CrewMaker crew = {};  ///< who does the work of searches; nothing = this process
-  int processes = 1;           ///< in the crew
+  int processes = 1;           ///< in the crew; without a crew, strangers
   int crew_cores = 0;          ///< that these have together, a thread each
 };
 

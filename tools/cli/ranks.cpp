@@ -28,12 +28,10 @@ void leave_signals_to_the_leader() {
 }
 
 int lead(cluster::Cluster& cluster, int argc, const char* const* argv) {
-  const Common common{.threads = 0,
-                      .quiet = false,
-                      .progress = ProgressMode::Auto,
-                      .crew = cluster.crew_maker(),
-                      .processes = cluster.ranks(),
-                      .crew_cores = cluster.cores()};
+  Common common;
+  common.crew = cluster.crew_maker();
+  common.processes = cluster.ranks();
+  common.crew_cores = cluster.cores();
   const int exit_code = run_program(argc, argv, common);
   cluster.end(exit_code);
   return exit_code;
@@ -54,10 +52,13 @@ int serve(cluster::Cluster& cluster) {
 int run_program_on_ranks(const cluster::Launch& launch, int argc, const char* const* argv) {
   std::optional<cluster::Cluster> cluster;
   const int joined_in = report_faults([&] {
-    cluster.emplace(launch.ranks);
+    cluster.emplace();
     return kDone;
   });
   if (joined_in != kDone) return joined_in;
+  if (launch.ranks > 0 && launch.ranks != cluster->ranks()) {
+    return run_program(argc, argv, strangers(launch));
+  }
   if (!cluster->same_everywhere(joined(argc, argv))) return run_program(argc, argv);
   if (cluster->leads()) return lead(*cluster, argc, argv);
   leave_signals_to_the_leader();

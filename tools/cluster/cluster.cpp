@@ -13,7 +13,6 @@
 #include "cluster/mailbox.h"
 #include "cluster/mpi_crew.h"
 #include "cluster/serve.h"
-#include "tagmint/codec/errors.h"
 
 namespace tagmint::cluster {
 namespace {
@@ -45,13 +44,7 @@ struct Cluster::Job {
   int all_threads = mpi::all_reduce(world, threads, std::plus<int>());
 };
 
-Cluster::Cluster(int launched_ranks) : job_(std::make_unique<Job>()) {
-  if (launched_ranks > 0 && launched_ranks != ranks()) {
-    throw codec::Fault(fmt::format("{} processes were started, but MPI brings {} together",
-                                   launched_ranks, ranks()),
-                       "", "start them with mpirun of Open MPI, or with srun --mpi=pmix");
-  }
-}
+Cluster::Cluster() : job_(std::make_unique<Job>()) {}
 
 Cluster::~Cluster() = default;
 

@@ -12,9 +12,8 @@ namespace tagmint::cluster {
 /// calls MPI.
 class Cluster {
  public:
-  /// Joins the job. Throws codec::Fault when MPI does not bring together as many ranks as the
-  /// launcher started (`launched_ranks`, 0 = not known).
-  explicit Cluster(int launched_ranks);
+  /// Joins the job; alone where MPI and the launcher do not understand each other.
+  Cluster();
   /// Waits for the other ranks and leaves.
   ~Cluster();
   Cluster(const Cluster&) = delete;
