@@ -8,6 +8,7 @@
 #include "tagmint/codec/builtin_families.h"
 #include "tagmint/codec/family_file.h"
 #include "tagmint/codec/layout_presets.h"
+#include "tagmint/codec/search/completeness.h"
 #include "tagmint/codec/search/lexicode.h"
 
 namespace tagmint::codec {
@@ -46,6 +47,12 @@ TEST(CompletedLexicodes, TagStandard41h12BeginsWithThePublishedCodes) {
   ASSERT_NE(published, nullptr);
   EXPECT_EQ(published->size(), 2115u);
   EXPECT_EQ(digest_of_first(options, result, published->size()), family_digest(*published));
+}
+
+TEST(CompletedLexicodes, TagStandard41h12xIsProvenComplete) {
+  const SharedFamily family = find_family("tagStandard41h12x");
+  ASSERT_NE(family, nullptr);
+  EXPECT_EQ(prove_complete(*family).addable, std::nullopt);
 }
 
 }  // namespace

@@ -1,9 +1,13 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
+#include <vector>
 
+#include "support/addable_word.h"
 #include "support/scratch_folder.h"
 #include "support/tagmint_program.h"
 #include "tagmint/codec/builtin_families.h"
@@ -40,10 +44,51 @@ TEST(Check, ViolationIsTheAnswerNo) {
   EXPECT_EQ(result.err, "");
 }
 
-TEST(Check, CompletenessIsRefusedInWords) {
-  expect_fault({"check", "tag16h5", "--complete"}, 2,
-               "--complete is not part of this version; leave it out to check the codes "
-               "themselves");
+TEST(Check, CompletenessIsProvenOrAWordTold) {
+  const ProgramResult whole = tagmint({"check", "tag16h5", "--complete"});
+  EXPECT_EQ(whole.exit_code, 0);
+  EXPECT_TRUE(
+      whole.out.ends_with("tag16h5: proven: complete, none of all 2^16 words could be added\n"))
+      << whole.out;
+  EXPECT_TRUE(whole.out.starts_with(tagmint({"check", "tag16h5"}).out));
+
+  const ScratchFolder folder;
+  const codec::Family part = tagmint::testing::without(*codec::find_family("tag16h5"), 11);
+  codec::write_family(part, folder.file("part.json"));
+  const ProgramResult result = tagmint({"check", folder.file("part.json"), "--complete"});
+  EXPECT_EQ(result.exit_code, 1);
+  const std::string told = "tag16h5: VIOLATION: not complete, 0x";
+  const std::size_t at = result.out.find(told);
+  ASSERT_NE(at, std::string::npos) << result.out;
+  const codec::Codeword word = std::stoull(result.out.substr(at + told.size(), 16), nullptr, 16);
+  EXPECT_TRUE(tagmint::testing::could_be_added(part, word)) << result.out;
+  for (const char* threads : {"1", "3"}) {
+    EXPECT_EQ(tagmint({"check", folder.file("part.json"), "--complete", "--threads", threads}).out,
+              result.out);
+  }
+}
+
+TEST(Check, FamilyThatFailsIsNotAskedForCompleteness) {
+  const ScratchFolder folder;
+  const codec::SharedFamily good = codec::find_family("tag16h5");
+  std::vector<codec::Codeword> codewords(good->codewords().begin(), good->codewords().end());
+  codewords[3] = codewords[1] ^ 1;
+  codec::FamilyParts parts{"broken", good->layout(), 5, codewords, {}, {}, {}};
+  codec::write_family(codec::Family(std::move(parts)), folder.file("broken.json"));
+  EXPECT_EQ(tagmint({"check", folder.file("broken.json"), "--complete"}).out,
+            tagmint({"check", folder.file("broken.json")}).out);
+}
+
+TEST(Check, InterruptedProofProvesNothing) {
+  RunningProgram program(
+      tagmint_words({"check", "tagStandard41h12x", "--complete", "--progress=json"}));
+  ASSERT_TRUE(program.wait_for_stderr("{\"task\":\"proof\",\"unit\":\"words\""));
+  program.send_signal(SIGINT);
+  const ProgramResult result = program.finish();
+  EXPECT_EQ(result.exit_code, 130);
+  EXPECT_EQ(result.out, "");
+  EXPECT_TRUE(result.err.ends_with("tagmint: error: interrupted; nothing was proven\n"))
+      << result.err;
 }
 
 TEST(Check, ResultDoesNotDependOnTheNumberOfThreads) {
