@@ -50,7 +50,7 @@ TEST(Families, TextHasOneLineAFamilyUnderItsHeader) {
   EXPECT_TRUE(text.starts_with("name ")) << text;
   EXPECT_EQ(static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')),
             codec::family_names().size() + 1);
-  EXPECT_NE(text.find("tag36h11            36    587        11     5        8/10  classic:10"),
+  EXPECT_NE(text.find("tag36h11             36    587        11     5        8/10  classic:10"),
             std::string::npos)
       << text;
 }
