@@ -55,7 +55,7 @@ std::vector<codec::Codeword> MpiCrew::list_open(std::uint64_t first, std::uint64
 }
 
 std::vector<Answer> MpiCrew::work(Task::Kind kind, std::uint64_t first, std::uint64_t count) {
-  constexpr double kWorthSharing_s = 0.005;  // some ten times what a message costs
+  constexpr double kWorthSharing_s = 0.020;  // against a millisecond until all have a chunk
   RankSpeeds& speeds = kind == Task::Kind::Sift ? sift_speeds_ : list_speeds_;
   if (static_cast<double>(count) <= kWorthSharing_s * speeds.of(kLeader) || !speeds.of(kLeader)) {
     std::vector<Answer> answers = {work_on(kind, {first, count}, *own_)};
