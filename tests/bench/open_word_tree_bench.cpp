@@ -74,6 +74,8 @@ TAGMINT_TREE_BENCH(tag36h11, 386, 11);
 TAGMINT_TREE_BENCH(tag36h10, 1600, 10);
 TAGMINT_TREE_BENCH(tag36h9, 4000, 9);
 TAGMINT_TREE_BENCH(tagStandard41h12, 1800, 12);
+TAGMINT_TREE_BENCH(tagCircle49h12, 65535, 12);
+TAGMINT_TREE_BENCH(tagStandard52h13, 48714, 13);
 
 }  // namespace
 }  // namespace tagmint::codec

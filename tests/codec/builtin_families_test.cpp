@@ -42,6 +42,7 @@ const std::vector<Bundled> kBundled = {
     {"tagStandard41h12", "standard:9", 12, 2115, "energy:0.3333", "411210", "7aaf3b82b972b998213e0a276d90f7fb62145fb91644c5f8bbcda064fdcef330"},
     {"tagStandard41h12x", "standard:9", 12, 2202, "energy:0.3333", "411210", "d822e092f296d7a862f26fb1ef0665c17ef5a35b76bf8d9eb43380451b1a37e2"},
     {"tagCustom48h12", kCustom48, 12, 42211, "energy:0.3333", "481212", "9d3a60a3cef124c9a8736091ffba614cc76cac62efcd2941e0ce0a3d0d39d37d"},
+    {"tagCustom48h12x", kCustom48, 12, 80527, "energy:0.3333", "481212", "fc5b776cfb79843768b968045db259d2c2bd776d3a47ab33f39fe7aa521769d0"},
     {"tagCircle49h12", "circle:11", 12, 65535, "energy:0.3333", "491215", "c78c4e42eee0a55f58fc736aa2ed52c8c4d9d92a28f3870c768da98221ff55be"},
     {"tagStandard52h13", "standard:10", 13, 48714, "energy:0.3333", "521312", "2a30908ae33cfd4df11ccdc80b4d08177914a629dcabed964f39ce7c7d6952c9"},
 };
@@ -83,7 +84,7 @@ TEST(BuiltinFamilies, CompletedOnesBeginWithThePublishedCodes) {
     EXPECT_TRUE(
         std::ranges::equal(whole->codewords().first(published->size()), published->codewords()));
   }
-  EXPECT_EQ(completed, 2);
+  EXPECT_EQ(completed, 3);
 }
 
 TEST(BuiltinFamilies, AreTheFilesOfTheFolder) {
