@@ -138,7 +138,7 @@ int run(const Options& options, const Common& common) {
         fmt::format("no code found, {} (--layout, --min-hamming); ask for a smaller "
                     "distance or complexity, or search more words",
                     end_text(best.result, best.search)));
-    attempts.put_checkpoint_away(best);
+    attempts.put_checkpoint_away();
     return kAnswerIsNo;
   }
   const codec::Family family = codec::make_family(best.search, best.result, options.name);
@@ -146,7 +146,7 @@ int run(const Options& options, const Common& common) {
   say(common, fmt::format("{}: {} codes, order {}, {}{}", family.name(), family.size(),
                           codec::to_string(best.search.order), end_text(best.result, best.search),
                           is_stdout(options.output) ? "" : "; written to " + options.output));
-  const std::string kept = attempts.put_checkpoint_away(best);
+  const std::string kept = attempts.put_checkpoint_away();
   if (!kept.empty()) say(common, kept);
   return kDone;
 }
@@ -154,7 +154,8 @@ int run(const Options& options, const Common& common) {
 Runner set_up(CLI::App& app, const Common& common) {
   app.description(
       "The tags are H bits apart in every rotation. What is found does not depend on threads or "
-      "interruptions. Memory: at most 1 GB; the first phase goes on until the rest fits.");
+      "interruptions. Memory: up to 1 GB, 20 MB a thread; the first phase goes on until the rest "
+      "fits.");
   auto options = std::make_shared<Options>();
   app.add_option("--layout", options->layout, "classic:W, standard:W, circle:W or custom:ROWS")
       ->required()

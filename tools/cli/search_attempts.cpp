@@ -75,7 +75,8 @@ SearchAttempts::SearchAttempts(LexicodeOptions search, int count,
 }
 
 void SearchAttempts::open_checkpoint(const CheckpointRequest& request) {
-  const codec::CheckpointParameters parameters{rules_of(search_), count_};
+  const codec::CheckpointParameters parameters{rules_of(search_), count_, search_.limit_words,
+                                               search_.limit_codes};
   if (!request.resume || !std::filesystem::exists(request.file)) {
     checkpoint_ = codec::Checkpoint::begin(request.file, parameters);
     if (request.resume) {
@@ -87,9 +88,11 @@ void SearchAttempts::open_checkpoint(const CheckpointRequest& request) {
   checkpoint_ = codec::Checkpoint::resume(request.file, parameters);
   begun_ = checkpoint_->take_content();
   const codec::SearchState& state = begun_.state;
-  say(common_, fmt::format("going on from {}: {}phase {}, {} codes", request.file.string(),
-                           label(begun_.finished.size()), static_cast<int>(state.phase),
-                           state.codewords.size()));
+  const std::string where = static_cast<int>(begun_.finished.size()) < count_
+                                ? fmt::format("{}phase {}, {} codes", label(begun_.finished.size()),
+                                              static_cast<int>(state.phase), state.codewords.size())
+                                : "all attempts are done";
+  say(common_, fmt::format("going on from {}: {}", request.file.string(), where));
 }
 
 std::string SearchAttempts::label(std::size_t index) const {
@@ -114,7 +117,7 @@ Attempt SearchAttempts::best() {
   for (; next < orders.size(); ++next) {
     if (best && time_is_up()) {
       say(common_, fmt::format("{} of {} attempts made (--time-limit)", next, count_));
-      may_go_on_ = true;
+      to_go_on_ = "more time";
       break;
     }
     Attempt attempt = run(next, orders[next]);
@@ -151,7 +154,7 @@ Attempt SearchAttempts::run(std::size_t index, const codec::Order& order) {
 void SearchAttempts::record_end(const Attempt& attempt) {
   const bool ended_by_time = attempt.result.end == SearchEnd::TimeLimit;
   if (attempt.result.end != SearchEnd::Complete && (count_ == 1 || ended_by_time)) {
-    may_go_on_ = true;  // with more time, or larger limits
+    to_go_on_ = ended_by_time ? "more time" : "a larger limit";
   } else if (checkpoint_) {
     checkpoint_->end_attempt(attempt.result);
   }
@@ -164,14 +167,11 @@ void SearchAttempts::tell(std::size_t index, const Attempt& attempt) const {
                   attempt.result.codewords.size(), end_text(attempt.result, attempt.search)));
 }
 
-std::string SearchAttempts::put_checkpoint_away(const Attempt& best) {
+std::string SearchAttempts::put_checkpoint_away() {
   if (!checkpoint_) return {};
-  if (may_go_on_) {
-    return fmt::format(
-        "{} is kept: --resume with {} goes on", checkpoint_path_.string(),
-        best.result.end == SearchEnd::LimitWords || best.result.end == SearchEnd::LimitCodes
-            ? "a larger limit"
-            : "more time");
+  if (!to_go_on_.empty()) {
+    return fmt::format("{} is kept: --resume with {} goes on", checkpoint_path_.string(),
+                       to_go_on_);
   }
   checkpoint_.reset();
   std::error_code ignored;  // a file that stays does no harm

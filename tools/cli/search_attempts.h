@@ -43,7 +43,7 @@ class SearchAttempts {
 
   /// To be called when the result is safe: removes a checkpoint that is not needed any more, and
   /// returns a message about one that is kept; else nothing.
-  std::string put_checkpoint_away(const Attempt& best);
+  std::string put_checkpoint_away();
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -62,7 +62,7 @@ class SearchAttempts {
   std::filesystem::path checkpoint_path_;
   std::optional<codec::Checkpoint> checkpoint_;
   codec::CheckpointContent begun_;  // what the checkpoint held
-  bool may_go_on_ = false;          // a later run could search more
+  std::string to_go_on_;  // what a later run needs to search more; empty = there is no more
   InterruptGuard guard_;
 };
 

@@ -23,13 +23,14 @@ namespace mpi = boost::mpi;
 int own_share_of_cores(const mpi::communicator& ranks) {
   cpu_set_t own;
   CPU_ZERO(&own);
-  if (sched_getaffinity(0, sizeof own, &own) != 0) return 1;
+  // Where it fails, as with more cores than the set has room for, the rank still takes part below.
+  const bool known = sched_getaffinity(0, sizeof own, &own) == 0;
   MPI_Comm handle = MPI_COMM_NULL;
   MPI_Comm_split_type(ranks, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &handle);
   const mpi::communicator machine(handle, mpi::comm_take_ownership);
   std::vector<cpu_set_t> all(machine.size());
   MPI_Allgather(&own, sizeof own, MPI_BYTE, all.data(), sizeof own, MPI_BYTE, machine);
-  return share_of_cores(own, all);
+  return known ? share_of_cores(own, all) : 1;
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <fstream>
@@ -41,6 +42,10 @@ Json parameters_json(const CheckpointParameters& parameters) {
   json["order"] = to_string(rules.order);
   json["complexity"] = to_string(rules.complexity);
   json["attempts"] = parameters.attempts;
+  if (parameters.attempts > 1) {
+    json["limit_words"] = parameters.limit_words ? Json(*parameters.limit_words) : Json();
+    json["limit_codes"] = parameters.limit_codes ? Json(*parameters.limit_codes) : Json();
+  }
   return json;
 }
 
@@ -104,6 +109,10 @@ void require_header(const std::string& header, const CheckpointParameters& param
   require_parameters(std::string_view(header).substr(first.size() + 1), parameters, path);
 }
 
+[[noreturn]] void fail_to_read(const fs::path& path) {
+  throw InputError("cannot read the checkpoint", path.string(), "check that the file may be read");
+}
+
 /// What the records add up to, and where the last whole one ends: 0 where not even the header is
 /// there.
 struct Replay {
@@ -124,26 +133,28 @@ void apply(const CheckpointRecord& record, CheckpointContent& content) {
 
 Replay replay(const fs::path& path, const CheckpointParameters& parameters) {
   std::ifstream file(path, std::ios::binary);
-  if (!file) {
-    throw InputError("cannot read the checkpoint", path.string(),
-                     "check that the file may be read");
-  }
+  if (!file) fail_to_read(path);
+  const std::uint64_t size = fs::file_size(path);
   const std::string expected = header(parameters);
   const std::string found = read_header(file);
+  const bool both_lines = std::count(found.begin(), found.end(), '\n') == 2;
+  if (!both_lines && found.size() < size) fail_to_read(path);
   Replay replayed;
   // A search that was killed while it began its file.
   if (found.size() < expected.size() && expected.starts_with(found)) return replayed;
   require_header(found, parameters, path);
 
-  const std::uint64_t size = fs::file_size(path);
   replayed.end = found.size();
   replayed.digest = chained_digest("", found);
+  // Room for all words at once: what is not used costs no memory.
+  replayed.content.state.open_tags.reserve(size / sizeof(Codeword));
   CheckpointRecord record;
   while (replayed.end < size) {
     std::uint64_t bytes = 0;
     const RecordReading reading =
         read_record(file, size - replayed.end, replayed.digest, record, bytes);
     if (reading == RecordReading::CutOff) break;
+    if (reading == RecordReading::Unreadable) fail_to_read(path);
     if (reading == RecordReading::Damaged) {
       throw InputError(
           fmt::format("the checkpoint is damaged between byte {} and its end at {}", replayed.end,

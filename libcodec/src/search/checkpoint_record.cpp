@@ -69,7 +69,7 @@ RecordReading read_record(std::istream& stream, std::uint64_t bytes_left, std::s
                           CheckpointRecord& record, std::uint64_t& bytes_read) {
   if (bytes_left < kHeadBytes) return RecordReading::CutOff;
   const std::string head = read_bytes(stream, kHeadBytes);
-  if (head.size() < kHeadBytes) return RecordReading::CutOff;
+  if (head.size() < kHeadBytes) return RecordReading::Unreadable;
   const std::uint64_t kind = number_at(head, 0);
   const std::uint64_t count = number_at(head, 2 * kNumberBytes);
   if (!digest_holds(head, digest) || !known(kind)) return RecordReading::Damaged;
@@ -79,7 +79,7 @@ RecordReading read_record(std::istream& stream, std::uint64_t bytes_left, std::s
     return RecordReading::CutOff;
   }
   const std::string body = read_bytes(stream, count * kNumberBytes + kDigestBytes);
-  if (body.size() < count * kNumberBytes + kDigestBytes) return RecordReading::CutOff;
+  if (body.size() < count * kNumberBytes + kDigestBytes) return RecordReading::Unreadable;
   if (!digest_holds(body, digest_of(head))) return RecordReading::Damaged;
 
   record.kind = static_cast<CheckpointRecord::Kind>(kind);

@@ -35,7 +35,12 @@ std::string chained_digest(std::string_view before, std::string_view bytes);
 std::string format_record(const CheckpointRecord& record, std::string& digest);
 
 /// What came of reading a record.
-enum class RecordReading { Whole, CutOff, Damaged };
+enum class RecordReading {
+  Whole,
+  CutOff,      ///< the file ends before the record does
+  Damaged,     ///< a digest is wrong
+  Unreadable,  ///< the stream gave fewer bytes than it holds
+};
 
 /// Reads one record from a stream that holds `bytes_left` more bytes.
 ///   digest       the one before the record, and then, if it is whole, the one at its end

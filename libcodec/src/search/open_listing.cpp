@@ -33,6 +33,7 @@ ListingEnd list_open_tags(SearchRun& run, std::size_t most, bool may_give_up) {
   const SearchState& state = run.state();
   const std::uint64_t subtrees = subtree_count(run.bits());
   const std::uint64_t first = state.subtrees_listed;
+  run.reserve_open_tags(most);
   const auto started = run.control().elapsed();
   RoundPacer pacer(kFewestSubtrees, kMostSubtrees, run.crew().round_length());
   while (state.subtrees_listed < subtrees) {

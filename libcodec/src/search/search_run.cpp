@@ -70,6 +70,11 @@ std::size_t SearchRun::codes_left() const {
   return *options_.limit_codes - std::min(*options_.limit_codes, state_.codewords.size());
 }
 
+void SearchRun::reserve_open_tags(std::size_t count) {
+  constexpr std::uint64_t kMost = std::uint64_t{1} << 26;  // 512 MiB of addresses
+  state_.open_tags.reserve(std::min({std::uint64_t{count}, low_mask(bits()), kMost}));
+}
+
 void SearchRun::advance(const SearchStep& step) {
   state_.apply(step);
   if (step.phase == SearchPhase::Walk) crew_->learn(step.words);

@@ -44,6 +44,10 @@ class SearchRun {
   /// Hands over the open tags, once phase 2 is done; the state is without them from then on.
   std::vector<Codeword> take_open_tags() { return std::exchange(state_.open_tags, {}); }
 
+  /// Room for `count` open tags, so that they are never copied while they grow in number; what is
+  /// not used costs no memory.
+  void reserve_open_tags(std::size_t count);
+
   /// Takes one step on, and tells the caller.
   void advance(const SearchStep& step);
 

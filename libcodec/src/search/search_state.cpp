@@ -3,6 +3,7 @@
 namespace tagmint::codec {
 
 void SearchState::apply(const SearchStep& step) {
+  if (phase == SearchPhase::List && step.phase == SearchPhase::Walk) walk_at_least = 2 * step.done;
   phase = step.phase;
   switch (step.phase) {
     case SearchPhase::Walk:

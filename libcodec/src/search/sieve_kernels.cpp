@@ -126,7 +126,7 @@ HWY_INLINE std::size_t keep_far_in_lanes(T* words, std::size_t count, const T* c
                                          std::size_t code_count, int min_hamming) {
   const TagOf<T> d;
   std::size_t done = 0;
-  while (done < code_count && count >= hn::Lanes(d)/2) {
+  while (done < code_count && count >= hn::Lanes(d) / 2) {
     const std::size_t step = std::min(kCodesBetweenDrops, code_count - done);
     count = drop_near(d, words, count, codes + done, step, min_hamming);
     done += step;

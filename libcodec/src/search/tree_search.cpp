@@ -16,30 +16,29 @@ namespace {
 /// walk, and fit the memory.
 class ScanLength {
  public:
-  ScanLength(const TreeSearchTuning& tuning, int bits)
-      : tuning_(tuning), least_(tuning.least_scanned), bits_(bits) {}
+  ScanLength(const TreeSearchTuning& tuning, int bits) : tuning_(tuning), bits_(bits) {}
 
-  bool enough(std::uint64_t walked, double open_share) const {
-    return walked >= least_ && open_tags(open_share) <= half_of_memory() &&
+  bool enough(const SearchState& state, double open_share) const {
+    const std::uint64_t walked = state.words_walked;
+    return walked >= least(state) && open_tags(open_share) <= half_of_memory() &&
            open_tags(open_share) * tuning_.words_per_open_tag <= static_cast<double>(walked);
   }
 
   /// When it will be enough, as the number of open words falls as one over the words walked.
-  double expected(std::uint64_t walked, double open_share) const {
-    const double open_by_walked = open_tags(open_share) * static_cast<double>(walked);
-    return std::max({static_cast<double>(least_), open_by_walked / half_of_memory(),
+  double expected(const SearchState& state, double open_share) const {
+    const double open_by_walked = open_tags(open_share) * static_cast<double>(state.words_walked);
+    return std::max({static_cast<double>(least(state)), open_by_walked / half_of_memory(),
                      std::sqrt(open_by_walked * tuning_.words_per_open_tag)});
   }
 
-  /// The tree was tried in vain.
-  void demand_more(std::uint64_t walked) { least_ = 2 * walked; }
-
  private:
+  std::uint64_t least(const SearchState& state) const {
+    return std::max(tuning_.least_scanned, state.walk_at_least);
+  }
   double open_tags(double open_share) const { return std::ldexp(open_share, bits_ - 2); }
   double half_of_memory() const { return static_cast<double>(tuning_.most_open) / 2; }
 
   const TreeSearchTuning& tuning_;
-  std::uint64_t least_;
   int bits_;
 };
 
@@ -49,9 +48,8 @@ std::optional<SearchEnd> walk_far_enough(SearchRun& run, const ScanLength& lengt
   const SearchState& state = run.state();
   do {
     if (const auto end = scan.step()) return end;
-    scan.expect(
-        std::min(run.words_total(), length.expected(state.words_walked, scan.open_share())));
-  } while (!length.enough(state.words_walked, scan.open_share()));
+    scan.expect(std::min(run.words_total(), length.expected(state, scan.open_share())));
+  } while (!length.enough(state, scan.open_share()));
   return std::nullopt;
 }
 
@@ -62,7 +60,7 @@ bool tree_search_possible(int bits) { return bits >= TreeOrder::kLeastBits && bi
 LexicodeResult search_by_tree(const LexicodeOptions& options, const TreeSearchTuning& tuning,
                               SearchState start) {
   SearchRun run(options, std::move(start));
-  ScanLength length(tuning, run.bits());
+  const ScanLength length(tuning, run.bits());
   const SearchState& state = run.state();
   // A search whose steps are kept can go on with an unfinished list another time.
   const bool may_give_up = !options.step;
@@ -77,7 +75,6 @@ LexicodeResult search_by_tree(const LexicodeOptions& options, const TreeSearchTu
     if (listing == ListingEnd::MustStop) {
       return run.result(*run.control().must_end(), state.words_walked);
     }
-    length.demand_more(state.words_walked);
     run.advance({SearchPhase::Walk, state.words_walked, {}});
   }
   return choose_among_open(run, tuning.most_positions);

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "tagmint/codec/search/crew.h"
@@ -15,6 +17,10 @@ namespace tagmint::codec {
 struct CheckpointParameters {
   SearchRules rules;
   int attempts = 1;
+  /// Of each attempt, where there are several: attempts that went differently far cannot be
+  /// compared. The limits of a single one may change from run to run.
+  std::optional<std::uint64_t> limit_words = std::nullopt;
+  std::optional<std::size_t> limit_codes = std::nullopt;
 };
 
 /// How far these searches are.

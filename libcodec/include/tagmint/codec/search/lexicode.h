@@ -78,7 +78,8 @@ struct LexicodeResult {
 ///            already passed
 ///   cost     processor time of complete searches: 25 bits half a second, 36 bits 2 to 15 s, 41
 ///            bits a minute, beyond about 45 bits hours
-///   memory   8 bytes for each of up to 2^26 tags that are still possible, and 0.3 GB
+///   memory   8 bytes for each of up to 2^26 tags that are still possible, 0.3 GB, and some 20 MB a
+///            thread
 LexicodeResult search_lexicode(const LexicodeOptions& options, SearchState start = {});
 
 /// The family that a finished search gives; `name` empty = "tag" + layout prefix + bits + "h" +

@@ -35,6 +35,8 @@ struct SearchState {
   std::uint64_t subtrees_listed = 0;
   std::vector<Codeword> open_tags = {};  ///< one turn of each
   std::uint64_t chosen_to = 0;           ///< phase 3: walk position
+  /// Phase 2 was tried and given up: phase 1 is to go on to so many words at least.
+  std::uint64_t walk_at_least = 0;
 
   /// Takes one more step. A step of phase 1 after one of phase 2 means that the list was given up.
   void apply(const SearchStep& step);
