@@ -101,6 +101,13 @@ TEST(Mpirun, AFaultIsToldOnce) {
   EXPECT_EQ(count_of(result.err, "tagmint: error: --min-hamming is missing"), 1) << result.err;
 }
 
+TEST(Mpirun, CompletenessIsProvenTogether) {
+  const Words check = {"check", "--complete", "tag36h11"};
+  const ProgramResult together = mpirun(2, check);
+  EXPECT_EQ(together.exit_code, 0) << together.err;
+  EXPECT_EQ(together.out, tagmint(check).out);
+}
+
 TEST(Mpirun, OtherCommandsRunOnce) {
   EXPECT_EQ(mpirun(2, {"families"}).out, tagmint({"families"}).out);
 }
