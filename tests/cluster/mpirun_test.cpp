@@ -91,7 +91,10 @@ TEST(Mpirun, ASearchGoesOnWithAnotherNumberOfRanks) {
   const Words search = joined(tree_search(), {"--checkpoint", folder.file("c"), "--resume"});
   const ProgramResult part = mpirun(2, joined(search, {"--time-limit", "0.2s"}));
   EXPECT_EQ(part.exit_code, 0) << part.err;
+  EXPECT_NE(part.err.find("is kept: --resume with more time goes on"), std::string::npos)
+      << part.err;
   const ProgramResult rest = mpirun(3, search);
+  EXPECT_NE(rest.err.find("going on from"), std::string::npos) << rest.err;
   EXPECT_EQ(rest.out, tagmint(tree_search()).out);
 }
 
@@ -164,12 +167,17 @@ TEST(Mpirun, AStoppedLauncherLetsTheLeaderEnd) {
   EXPECT_EQ(count_of(result.err, "tagmint: error: interrupted"), 1) << result.err;
 }
 
-TEST(Mpirun, AKilledRankEndsTheJob) {
+TEST(Mpirun, AKilledRankEndsTheJobWhichGoesOnFromItsCheckpoint) {
   const ScratchFolder folder;
-  RunningProgram program(with_pid_files(2, folder, endless()), Stderr::Pipe, kRootMayRunIt);
+  const Words search =
+      joined(tree_search(), {"--checkpoint", folder.file("c"), "--resume", "--progress=json"});
+  RunningProgram program(with_pid_files(2, folder, search), Stderr::Pipe, kRootMayRunIt);
   ASSERT_TRUE(program.wait_for_stderr("\"done\""));
   kill(pid_of_rank(folder, 1), SIGKILL);
   EXPECT_NE(program.finish().exit_code, 0);
+  const ProgramResult rest = mpirun(4, search);
+  EXPECT_NE(rest.err.find("going on from"), std::string::npos) << rest.err;
+  EXPECT_EQ(rest.out, tagmint(tree_search()).out);
 }
 
 }  // namespace

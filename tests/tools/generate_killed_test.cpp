@@ -44,6 +44,7 @@ void disturb(int signal, int times, std::uint64_t seed, const std::string& expec
     fs::remove(output);
   };
   int went_on = 0;
+  int in_the_list = 0;
   for (int ended = 0; ended < times;) {
     RunningProgram program(tagmint_words(words));
     std::this_thread::sleep_for(std::chrono::duration<double>(random.real(0.05, 0.35)));
@@ -59,11 +60,13 @@ void disturb(int signal, int times, std::uint64_t seed, const std::string& expec
     // Killed between the family and the end of the checkpoint, the family is there and whole.
     EXPECT_TRUE(!fs::exists(output) || read_file(output) == expected);
     went_on += result.err.find("going on from") != std::string::npos;
+    in_the_list += result.err.find(": phase 2") != std::string::npos;
   }
   const ProgramResult last = tagmint(words);
   ASSERT_EQ(last.exit_code, 0) << last.err;
   expect_whole();
   EXPECT_GT(went_on, times / 2);
+  EXPECT_GT(in_the_list, 0);
 }
 
 TEST(GenerateKilled, SearchThatIsKilledAndInterruptedGivesTheSameFamily) {
