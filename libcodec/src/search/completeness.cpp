@@ -106,9 +106,10 @@ Codeword Proof::addable_of_first_subtree(std::uint64_t first, std::uint64_t coun
 }
 
 Completeness Proof::by_tree() {
+  constexpr std::uint64_t kWorthwhileSubtrees = 16;
   constexpr std::uint64_t kMostSubtrees = std::uint64_t{1} << 22;
   const std::uint64_t subtrees = subtree_count(bits_);
-  RoundPacer pacer(1, kMostSubtrees, crew_->round_length());
+  RoundPacer pacer(1, kWorthwhileSubtrees, kMostSubtrees);
   for (std::uint64_t first = 0; first < subtrees;) {
     if (options_.stop.stop_requested()) return {.stopped = true, .addable = std::nullopt};
     const std::uint64_t count = std::min(pacer.pieces(), subtrees - first);
@@ -116,7 +117,7 @@ Completeness Proof::by_tree() {
     if (const auto word = addable_in(first, count)) {
       return {.stopped = false, .addable = addable_of_first_subtree(first, count, *word)};
     }
-    pacer.learn(Clock::now() - before);
+    pacer.learn(Clock::now() - before, crew_->round_length());
     first += count;
     report(std::ldexp(static_cast<double>(first) / static_cast<double>(subtrees), bits_));
   }
@@ -125,9 +126,10 @@ Completeness Proof::by_tree() {
 
 Completeness Proof::by_walk() {
   constexpr std::uint64_t kFewestWords = 1 << 12;
+  constexpr std::uint64_t kWorthwhileWords = std::uint64_t{1} << 22;
   constexpr std::uint64_t kMostWords = std::uint64_t{1} << 26;
   const std::uint64_t last = low_mask(bits_);
-  RoundPacer pacer(kFewestWords, kMostWords, crew_->round_length());
+  RoundPacer pacer(kFewestWords, kWorthwhileWords, kMostWords);
   for (std::uint64_t first = 0;;) {
     if (options_.stop.stop_requested()) return {.stopped = true, .addable = std::nullopt};
     const std::uint64_t beyond_first = last - first;  // left but one: 2^64 do not fit
@@ -135,7 +137,7 @@ Completeness Proof::by_walk() {
     const auto before = Clock::now();
     const SiftedWords sifted = crew_->sift(first, count);
     if (!sifted.kept.empty()) return {.stopped = false, .addable = sifted.kept.front().word};
-    pacer.learn(Clock::now() - before);
+    pacer.learn(Clock::now() - before, crew_->round_length());
     report(static_cast<double>(first) + static_cast<double>(count));
     if (count - 1 == beyond_first) return {};
     first += count;

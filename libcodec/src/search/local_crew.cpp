@@ -87,6 +87,12 @@ std::vector<Codeword> LocalCrew::list_open(std::uint64_t first, std::uint64_t co
   return all;
 }
 
+std::chrono::duration<double> LocalCrew::round_length() const {
+  // The more codes, the longer the stretches that pay for the groups of WalkSieve.
+  constexpr std::size_t kManyCodes = 10'000;
+  return std::chrono::milliseconds(codes_.size() < kManyCodes ? 200 : 1000);
+}
+
 std::uint64_t subtree_count(int bits) { return OpenWordTree::subtree_count(TreeOrder(bits)); }
 
 std::unique_ptr<SearchCrew> local_crew(const SearchRules& rules, int threads) {

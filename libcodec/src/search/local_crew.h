@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -29,6 +30,7 @@ class LocalCrew : public SearchCrew {
   void learn(std::span<const Codeword> codes) override;
   SiftedWords sift(std::uint64_t first, std::uint64_t count) override;
   std::vector<Codeword> list_open(std::uint64_t first, std::uint64_t count) override;
+  std::chrono::duration<double> round_length() const override;
 
  private:
   /// What list_open() needs for as long as the codes stay the same.

@@ -1,6 +1,7 @@
 #include "search/open_choice.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -16,7 +17,9 @@ namespace tagmint::codec {
 namespace {
 
 constexpr std::uint64_t kFewestWords = 256;
+constexpr std::uint64_t kWorthwhileWords = std::uint64_t{1} << 14;
 constexpr std::uint64_t kMostWords = std::uint64_t{1} << 22;
+constexpr std::chrono::milliseconds kLongestRound{200};
 
 /// A stretch of the walk: positions after + 1 .. to.
 struct Stretch {
@@ -33,7 +36,7 @@ class OpenChoice {
       : run_(run),
         most_positions_(most_positions),
         open_(run.take_open_tags()),
-        pacer_(kFewestWords, kMostWords, std::chrono::milliseconds(200)) {}
+        pacer_(kFewestWords, kWorthwhileWords, kMostWords) {}
 
   LexicodeResult run() {
     const SearchState& state = run_.state();
@@ -109,7 +112,8 @@ class OpenChoice {
       const Round round = choose_greedily(sifted, run_.bits(), run_.options().min_hamming, next,
                                           count, run_.codes_left());
       sieve.learn(round.taken);
-      pacer_.learn(run_.control().elapsed() - before, round.overlapping > round.taken.size() + 16);
+      pacer_.learn(run_.control().elapsed() - before, kLongestRound,
+                   round.overlapping > round.taken.size() + 16);
       next += round.judged;
       run_.advance({SearchPhase::Choose, positions[next - 1], round.taken});
       report();

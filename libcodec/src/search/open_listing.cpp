@@ -9,6 +9,7 @@ namespace tagmint::codec {
 namespace {
 
 constexpr std::uint64_t kFewestSubtrees = 1;
+constexpr std::uint64_t kWorthwhileSubtrees = 16;
 constexpr std::uint64_t kMostSubtrees = std::uint64_t{1} << 22;
 
 void report(SearchRun& run, double share) {
@@ -35,7 +36,7 @@ ListingEnd list_open_tags(SearchRun& run, std::size_t most, bool may_give_up) {
   const std::uint64_t first = state.subtrees_listed;
   run.reserve_open_tags(most);
   const auto started = run.control().elapsed();
-  RoundPacer pacer(kFewestSubtrees, kMostSubtrees, run.crew().round_length());
+  RoundPacer pacer(kFewestSubtrees, kWorthwhileSubtrees, kMostSubtrees);
   while (state.subtrees_listed < subtrees) {
     if (run.control().must_end()) return ListingEnd::MustStop;
     const std::uint64_t begin = state.subtrees_listed;
@@ -44,7 +45,7 @@ ListingEnd list_open_tags(SearchRun& run, std::size_t most, bool may_give_up) {
     const std::vector<Codeword> open = run.crew().list_open(begin, count);
     if (state.open_tags.size() + open.size() > most) return ListingEnd::TooMany;
     run.advance({SearchPhase::List, begin + count, open});
-    pacer.learn(run.control().elapsed() - before);
+    pacer.learn(run.control().elapsed() - before, run.crew().round_length());
 
     report(run, static_cast<double>(begin + count) / static_cast<double>(subtrees));
     const double done = static_cast<double>(begin + count - first);

@@ -11,25 +11,31 @@ namespace tagmint::codec {
 /// not depend on it.
 class RoundPacer {
  public:
-  /// `fewest` and `most` pieces of work in a round that should last `longest`.
-  RoundPacer(std::uint64_t fewest, std::uint64_t most, std::chrono::duration<double> longest)
-      : fewest_(fewest), most_(most), longest_(longest), pieces_(fewest) {}
+  /// Pieces of work in a round: at least `fewest`, at most `most`. Time alone makes no round
+  /// shorter than `worthwhile`: on a machine that is busy with other things even the shortest
+  /// takes long, while a piece costs the more the shorter the round.
+  RoundPacer(std::uint64_t fewest, std::uint64_t worthwhile, std::uint64_t most)
+      : fewest_(fewest), worthwhile_(worthwhile), most_(most), pieces_(fewest) {}
 
   std::uint64_t pieces() const { return pieces_; }
 
-  /// The last round took so long; `in_vain`: shorter rounds would have saved work.
-  void learn(std::chrono::duration<double> elapsed, bool in_vain = false) {
-    if (in_vain || elapsed > longest_) {
+  /// The last round took so long and should have taken `longest` at most; `in_vain`: shorter rounds
+  /// would have saved work.
+  void learn(std::chrono::duration<double> elapsed, std::chrono::duration<double> longest,
+             bool in_vain = false) {
+    if (in_vain) {
       pieces_ = std::max(pieces_ / 2, fewest_);
-    } else if (elapsed < longest_ / 2) {
+    } else if (pieces_ < worthwhile_ || elapsed < longest / 2) {
       pieces_ = std::min(pieces_ * 2, most_);
+    } else if (elapsed > longest) {
+      pieces_ = std::max(pieces_ / 2, worthwhile_);
     }
   }
 
  private:
   std::uint64_t fewest_;
+  std::uint64_t worthwhile_;
   std::uint64_t most_;
-  std::chrono::duration<double> longest_;
   std::uint64_t pieces_;
 };
 

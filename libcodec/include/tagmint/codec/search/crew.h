@@ -56,7 +56,7 @@ class SearchCrew {
   virtual std::vector<Codeword> list_open(std::uint64_t first, std::uint64_t count) = 0;
 
   /// How long a round should take: long beside what it costs to begin and end one, short beside a
-  /// user's patience.
+  /// user's patience. It may become another when codes are learnt.
   virtual std::chrono::duration<double> round_length() const {
     return std::chrono::milliseconds(200);
   }
