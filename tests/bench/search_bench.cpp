@@ -1,80 +1,25 @@
-// Whole searches and their inner loops. Run with --benchmark_repetitions=5 and read the medians.
+// The inner loops of the walk, scalar beside vector. Run with --benchmark_repetitions=5 and read
+// the medians. whole_searches times whole searches.
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <random>
-#include <string>
 #include <vector>
 
 #include "search/distance_filter.h"
-#include "search/engines.h"
+#include "search/sieve_kernels.h"
 #include "search/turn_blocks.h"
+#include "search/turn_index.h"
 #include "search/walk_sieve.h"
 #include "tagmint/codec/builtin_families.h"
-#include "tagmint/codec/layout_presets.h"
 #include "tagmint/codec/rotation.h"
 #include "tagmint/codec/search/order.h"
 
 namespace tagmint::codec {
 namespace {
-
-LexicodeOptions options_for(const char* layout, int min_hamming, const char* order,
-                            const char* complexity, int threads) {
-  return {.layout = parse_layout(layout),
-          .min_hamming = min_hamming,
-          .order = parse_order(order),
-          .complexity = parse_complexity(complexity),
-          .threads = threads};
-}
-
-/// Runs one search an iteration and checks the number of its codes.
-void search(benchmark::State& state, const LexicodeOptions& options, std::size_t codes) {
-  std::uint64_t words = 0;
-  for (auto _ : state) {
-    const LexicodeResult result = search_lexicode(options);
-    if (result.codewords.size() != codes) state.SkipWithError("wrong number of codes");
-    words += result.words_searched;
-  }
-  state.counters["words/s"] =
-      benchmark::Counter(static_cast<double>(words), benchmark::Counter::kIsRate);
-}
-
-/// The searches take the number of threads as their argument; 0 = all cores.
-#define TAGMINT_SEARCH_BENCH(name, codes, layout, distance, order, complexity)                 \
-  void name(benchmark::State& state) {                                                         \
-    search(state,                                                                              \
-           options_for(layout, distance, order, complexity, static_cast<int>(state.range(0))), \
-           codes);                                                                             \
-  }                                                                                            \
-  BENCHMARK(name)                                                                              \
-      ->Arg(1)                                                                                 \
-      ->Arg(0)                                                                                 \
-      ->Unit(benchmark::kMillisecond)                                                          \
-      ->UseRealTime()                                                                          \
-      ->MeasureProcessCPUTime()
-
-TAGMINT_SEARCH_BENCH(Tag16h5, 30, "classic:8", 5, "apriltag2", "rectangles:5");
-TAGMINT_SEARCH_BENCH(TagCircle21h7, 38, "circle:9", 7, "apriltag3", "energy:0.3333");
-TAGMINT_SEARCH_BENCH(Tag25h9, 35, "classic:9", 9, "apriltag2", "rectangles:8");
-TAGMINT_SEARCH_BENCH(TagStandard25h9, 35, "standard:7", 9, "apriltag3", "energy:0.3333");
-TAGMINT_SEARCH_BENCH(Tag36h11, 587, "classic:10", 11, "apriltag2", "rectangles:10");
-TAGMINT_SEARCH_BENCH(Tag36h10, 2320, "classic:10", 10, "apriltag2", "rectangles:10");
-
-/// The plain walk over the first 10 million words of tag36h11.
-void PlainWalk36h11(benchmark::State& state) {
-  LexicodeOptions options =
-      options_for("classic:10", 11, "apriltag2", "rectangles:10", static_cast<int>(state.range(0)));
-  options.limit_words = 10'000'000;
-  for (auto _ : state) benchmark::DoNotOptimize(search_plain(options));
-  state.SetItemsProcessed(state.iterations() * 10'000'000);
-}
-BENCHMARK(PlainWalk36h11)
-    ->Arg(1)
-    ->Arg(0)
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime()
-    ->MeasureProcessCPUTime();
 
 /// 36-bit words against the turns of `codes` random codes, vector or scalar.
 template <typename Filter>
@@ -95,6 +40,66 @@ void filter_words(benchmark::State& state, Filter filter) {
 }
 BENCHMARK_CAPTURE(filter_words, vector, keep_distant)->Arg(30)->Arg(587);
 BENCHMARK_CAPTURE(filter_words, scalar, keep_distant_scalar)->Arg(30)->Arg(587);
+
+template <typename T>
+std::vector<T> random_words(std::size_t count, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::vector<T> words(count + sieve_kernels::kPadding);
+  for (T& word : words) word = static_cast<T>(random());
+  return words;
+}
+
+/// 4096 words against 256 codes so near that one word in ten is left; items are comparisons, as
+/// many as there were if every word met every code.
+template <typename T>
+void keep_far_words(benchmark::State& state,
+                    std::size_t (*keep_far)(T*, std::size_t, const T*, std::size_t, int),
+                    int min_hamming) {
+  constexpr std::size_t kWords = 4096;
+  constexpr std::size_t kCodes = 256;
+  const std::vector<T> words = random_words<T>(kWords, 1);
+  const std::vector<T> codes = random_words<T>(kCodes, 2);
+  std::vector<T> buffer = words;
+  std::size_t kept = 0;
+  for (auto _ : state) {
+    std::copy(words.begin(), words.end(), buffer.begin());
+    kept = keep_far(buffer.data(), kWords, codes.data(), kCodes, min_hamming);
+  }
+  state.SetItemsProcessed(state.iterations() * std::int64_t{kWords * kCodes});
+  state.counters["kept"] = static_cast<double>(kept) / kWords;
+}
+constexpr auto keep_far_32 = keep_far_words<std::uint32_t>;
+constexpr auto keep_far_64 = keep_far_words<std::uint64_t>;
+BENCHMARK_CAPTURE(keep_far_32, vector, sieve_kernels::keep_far, 10);
+BENCHMARK_CAPTURE(keep_far_32, scalar, sieve_kernels::keep_far_scalar, 10);
+BENCHMARK_CAPTURE(keep_far_64, vector, sieve_kernels::keep_far, 23);
+BENCHMARK_CAPTURE(keep_far_64, scalar, sieve_kernels::keep_far_scalar, 23);
+
+/// The codes of all cells that differ from one in at most two of 16 bits, of 42,211 codes with 48
+/// bits; items are cells.
+template <typename Gather>
+void gather_near_cells(benchmark::State& state, Gather gather) {
+  constexpr int kBits = 48;
+  constexpr int kFineBits = 16;
+  std::vector<Codeword> turns = random_words<Codeword>(4 * 42'211, 3);
+  for (Codeword& turn : turns) turn &= low_mask(kBits);
+  const TurnIndex index(kBits, kFineBits, 0, turns);
+  std::vector<std::uint32_t> masks;
+  for (int weight = 0; weight <= 2; ++weight) {
+    const std::vector<std::uint32_t> some = words_of_weight(kFineBits, weight);
+    masks.insert(masks.end(), some.begin(), some.end());
+  }
+  std::vector<std::uint32_t> gathered(turns.size() + sieve_kernels::kPadding);
+  std::uint32_t cell = 0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(
+        gather(index.starts(), index.uppers(), cell, masks.data(), masks.size(), gathered.data()));
+    cell = (cell + 0x9e37) % (1u << kFineBits);
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(masks.size()));
+}
+BENCHMARK_CAPTURE(gather_near_cells, vector, sieve_kernels::gather_cells);
+BENCHMARK_CAPTURE(gather_near_cells, scalar, sieve_kernels::gather_cells_scalar);
 
 /// A stretch of 2^log_words words of the walk against the first codes of a bundled family.
 void sieve_walk(benchmark::State& state, const char* name, std::size_t codes, int log_words) {
