@@ -128,6 +128,13 @@ TEST(Lexicode, EndsEarlyWhenAskedTo) {
                          late.codewords.begin()));
 }
 
+TEST(Lexicode, KeepsItsTimeWhereNearlyAllWordsAreTaken) {
+  LexicodeOptions options = options_for("classic:10", 1, "seed:1", "none");
+  options.time_limit = std::chrono::milliseconds(300);
+  // A round too many takes seconds; rounds that went on doubling would take hours.
+  EXPECT_EQ(search_lexicode(options).end, SearchEnd::TimeLimit);
+}
+
 TEST(Lexicode, RefusesImpossibleDistances) {
   for (const int min_hamming : {-1, 0, 17}) {
     EXPECT_THROW(search_lexicode(options_for("classic:8", min_hamming, "apriltag2", "none")),

@@ -40,6 +40,16 @@ TEST(RoundPacer, GrowsToWorthwhileRoundsHoweverLongTheyTake) {
   }
 }
 
+TEST(RoundPacer, HalvesRoundsThatTakeFarTooLongDownToTheFewest) {
+  RoundPacer pacer(4, 64, 64);
+  for (int i = 0; i < 3; ++i) pacer.learn(seconds(1), seconds(10));
+  EXPECT_EQ(pacer.pieces(), 32u);
+  for (const std::uint64_t expected : {16, 8, 4, 4}) {
+    pacer.learn(seconds(51), seconds(10));
+    EXPECT_EQ(pacer.pieces(), expected);
+  }
+}
+
 TEST(RoundPacer, HalvesRoundsInVainDownToTheFewest) {
   RoundPacer pacer(4, 10, 64);
   for (int i = 0; i < 3; ++i) pacer.learn(seconds(1), seconds(10));

@@ -13,7 +13,8 @@ class RoundPacer {
  public:
   /// Pieces of work in a round: at least `fewest`, at most `most`. Time alone makes no round
   /// shorter than `worthwhile`: on a machine that is busy with other things even the shortest
-  /// takes long, while a piece costs the more the shorter the round.
+  /// takes long, while a piece costs the more the shorter the round. A round that takes far too
+  /// long is an exception.
   RoundPacer(std::uint64_t fewest, std::uint64_t worthwhile, std::uint64_t most)
       : fewest_(fewest), worthwhile_(worthwhile), most_(most), pieces_(fewest) {}
 
@@ -23,7 +24,8 @@ class RoundPacer {
   /// would have saved work.
   void learn(std::chrono::duration<double> elapsed, std::chrono::duration<double> longest,
              bool in_vain = false) {
-    if (in_vain) {
+    constexpr double kFarTooLong = 5;  // not a busy machine, but work that grows with the round
+    if (in_vain || elapsed > kFarTooLong * longest) {
       pieces_ = std::max(pieces_ / 2, fewest_);
     } else if (pieces_ < worthwhile_ || elapsed < longest / 2) {
       pieces_ = std::min(pieces_ * 2, most_);
