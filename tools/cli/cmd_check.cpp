@@ -100,7 +100,7 @@ Runner set_up(CLI::App& app, const Common& common) {
   add_output(app, options->output);
   app.add_flag(
       "--complete", options->complete,
-      "prove too that no further word could be added; 36 bits take seconds, over 45 hours");
+      "prove too that no further word could be added; seconds at 36 bits, hours at 48");
   return [options, &common] { return run(*options, common); };
 }
 

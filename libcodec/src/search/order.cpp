@@ -9,20 +9,13 @@
 #include <vector>
 
 #include "search/java_random.h"
+#include "search/odd_inverse.h"
 #include "tagmint/codec/suggest.h"
 
 namespace tagmint::codec {
 namespace {
 
 constexpr std::string_view kSeedPrefix = "seed:";
-
-/// The number x with odd * x == 1 modulo 2^64, by Newton's iteration: an odd number is its own
-/// inverse modulo 8, and each step doubles the number of right bits (3, 6, 12, 24, 48, 96).
-constexpr std::uint64_t inverse_of_odd(std::uint64_t odd) {
-  std::uint64_t inverse = odd;
-  for (int step = 0; step < 5; ++step) inverse *= 2 - odd * inverse;
-  return inverse;
-}
 
 static_assert(inverse_of_odd(Walk::kStep) * Walk::kStep == 1);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "search/odd_inverse.h"
 #include "search/sieve_kernels.h"
 #include "tagmint/codec/search/order.h"
 
@@ -18,14 +19,6 @@ std::uint64_t possible_stretch(int bits, std::uint64_t stretch) {
   // The words of a group are told apart by their upper bits, so none may come twice.
   const std::uint64_t most = std::min(kLongestStretch, low_mask(bits) + (bits < kMaxBits));
   return std::clamp<std::uint64_t>(stretch, 1, most);
-}
-
-/// The x with x * step = 1 modulo 2^64. Each round of Newton's iteration doubles the number of
-/// right low bits; an odd number is its own inverse modulo 8.
-constexpr std::uint64_t inverse_of_odd(std::uint64_t step) {
-  std::uint64_t inverse = step;
-  for (int right_bits = 3; right_bits < 64; right_bits *= 2) inverse *= 2 - step * inverse;
-  return inverse;
 }
 
 /// Words begin, begin + 2^shift, ... among `count`.
