@@ -98,9 +98,8 @@ Runner set_up(CLI::App& app, const Common& common) {
   auto options = std::make_shared<Options>();
   add_family(app, options->family);
   add_output(app, options->output);
-  app.add_flag(
-      "--complete", options->complete,
-      "prove too that no further word could be added; seconds at 36 bits, hours at 48");
+  app.add_flag("--complete", options->complete,
+               "prove too that no further word could be added; seconds at 36 bits, hours at 48");
   return [options, &common] { return run(*options, common); };
 }
 
