@@ -59,4 +59,20 @@ int ColourChanges::count(Codeword word) const {
   return changes;
 }
 
+ChangeBits ColourChanges::change_bits(Codeword word) const {
+  ChangeBits bits{};
+  std::size_t place = 0;
+  const auto add = [&](Codeword change) {
+    bits[place / 64] |= (change & 1) << (place % 64);
+    ++place;
+  };
+  for (const auto& [a, b] : data_pairs_) add((word >> a) ^ (word >> b));
+  const auto add_fixed = [&](Codeword mask, Codeword changed) {
+    for (Codeword rest = mask; rest != 0; rest &= rest - 1) add(changed >> std::countr_zero(rest));
+  };
+  for (const Codeword mask : beside_black_) add_fixed(mask, word);
+  for (const Codeword mask : beside_white_) add_fixed(mask, ~word);
+  return bits;
+}
+
 }  // namespace tagmint::codec

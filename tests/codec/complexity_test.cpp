@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <random>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "colour_changes.h"
 #include "tagmint/codec/layout_presets.h"
 #include "tagmint/codec/rotation.h"
 #include "tagmint/codec/tag_cells.h"
@@ -172,6 +174,27 @@ TEST(ColourChanges, AreThoseOfThePicture) {
       EXPECT_EQ(count_colour_changes(layout, word),
                 count_colour_changes(layout, rotate_quarter(word, layout.bits())))
           << text;
+    }
+  }
+}
+
+TEST(ColourChanges, AreBitsThatAddUpByExclusiveOr) {
+  std::mt19937_64 random(4);
+  for (const char* name : {"classic:8", "classic:9", "standard:9", "circle:11", "classic:12"}) {
+    const Layout layout = parse_layout(name);
+    const ColourChanges changes(layout);
+    const Codeword mask = low_mask(layout.bits());
+    for (int i = 0; i < 50; ++i) {
+      const Codeword a = random() & mask;
+      const Codeword b = random() & mask;
+      int ones = changes.fixed_changes();
+      for (std::size_t word = 0; word < 4; ++word) {
+        const std::uint64_t own = changes.change_bits(a)[word];
+        ones += std::popcount(own);
+        EXPECT_EQ(changes.change_bits(a ^ b)[word],
+                  own ^ changes.change_bits(b)[word] ^ changes.change_bits(0)[word]);
+      }
+      EXPECT_EQ(ones, changes.count(a)) << name;
     }
   }
 }

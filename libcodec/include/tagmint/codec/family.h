@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -10,11 +9,9 @@
 #include "tagmint/codec/codeword.h"
 #include "tagmint/codec/complexity.h"
 #include "tagmint/codec/layout.h"
+#include "tagmint/codec/tag_id.h"
 
 namespace tagmint::codec {
-
-/// Index of a tag in its family. Families may hold more than 65,536 tags.
-using TagId = std::uint32_t;
 
 /// A prefix of the id list that is a code of its own: the first `codes` ids are `min_hamming`
 /// apart.
