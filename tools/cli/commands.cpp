@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "cli/cmd_check.h"
+#include "cli/cmd_choose.h"
 #include "cli/cmd_decode.h"
 #include "cli/cmd_detect.h"
 #include "cli/cmd_encode.h"
@@ -19,6 +20,7 @@ std::span<const Command> command_table() {
   // clang-format off
   static const std::vector<Command> table = {
       families_command(),
+      choose_command(),
       generate_command(),
       info_command(),
       check_command(),
