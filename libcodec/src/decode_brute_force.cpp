@@ -3,24 +3,24 @@
 namespace tagmint::codec {
 namespace {
 
-class BruteForceLookup final : public Decoder::Lookup {
+class BruteForceLookup final : public ListLookup {
  public:
-  BruteForceLookup(std::span<const Codeword> codewords, int radius) : Lookup(codewords, radius) {}
-
-  Nearest nearest(Codeword word) const override {
-    Nearest nearest;
-    for (std::size_t i = 0; i < codewords_.size(); ++i) compare(word, i, nearest);
-    return nearest;
-  }
+  BruteForceLookup(const TagList& tags, int radius) : ListLookup(tags, radius) {}
 
   std::size_t table_bytes() const override { return 0; }
+
+ private:
+  Nearest nearest(Codeword word) const override {
+    Nearest nearest;
+    for (std::size_t i = 0; i < codewords().size(); ++i) compare(word, i, nearest);
+    return nearest;
+  }
 };
 
 }  // namespace
 
-std::unique_ptr<const Decoder::Lookup> make_brute_force_lookup(std::span<const Codeword> codewords,
-                                                               int radius) {
-  return std::make_unique<const BruteForceLookup>(codewords, radius);
+std::unique_ptr<const Decoder::Lookup> make_brute_force_lookup(const TagList& tags, int radius) {
+  return std::make_unique<const BruteForceLookup>(tags, radius);
 }
 
 }  // namespace tagmint::codec

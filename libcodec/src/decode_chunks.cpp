@@ -63,26 +63,17 @@ class ChunkIndex {
   std::vector<std::uint32_t> members_;  // codeword indices, bucket by bucket
 };
 
-class ChunkLookup final : public Decoder::Lookup {
+class ChunkLookup final : public ListLookup {
  public:
-  ChunkLookup(std::span<const Codeword> codewords, int bits, int radius)
-      : Lookup(codewords, radius) {
+  ChunkLookup(const TagList& tags, int radius) : ListLookup(tags, radius) {
     // Chunks of equal width, give or take one. With radius == bits the first is empty: it agrees
     // with everything, and a word may indeed differ from its codeword in every bit.
     const int chunks = radius + 1;
     for (int chunk = 0; chunk < chunks; ++chunk) {
-      const int begin = chunk * bits / chunks;
-      const int end = (chunk + 1) * bits / chunks;
-      chunks_.emplace_back(codewords, begin, end - begin);
+      const int begin = chunk * tags.bits / chunks;
+      const int end = (chunk + 1) * tags.bits / chunks;
+      chunks_.emplace_back(tags.codewords, begin, end - begin);
     }
-  }
-
-  Nearest nearest(Codeword word) const override {
-    Nearest nearest;
-    for (const ChunkIndex& chunk : chunks_) {
-      for (const std::uint32_t index : chunk.candidates(word)) compare(word, index, nearest);
-    }
-    return nearest;
   }
 
   std::size_t table_bytes() const override {
@@ -92,14 +83,21 @@ class ChunkLookup final : public Decoder::Lookup {
   }
 
  private:
+  Nearest nearest(Codeword word) const override {
+    Nearest nearest;
+    for (const ChunkIndex& chunk : chunks_) {
+      for (const std::uint32_t index : chunk.candidates(word)) compare(word, index, nearest);
+    }
+    return nearest;
+  }
+
   std::vector<ChunkIndex> chunks_;
 };
 
 }  // namespace
 
-std::unique_ptr<const Decoder::Lookup> make_chunk_lookup(std::span<const Codeword> codewords,
-                                                         int bits, int radius) {
-  return std::make_unique<const ChunkLookup>(codewords, bits, radius);
+std::unique_ptr<const Decoder::Lookup> make_chunk_lookup(const TagList& tags, int radius) {
+  return std::make_unique<const ChunkLookup>(tags, radius);
 }
 
 }  // namespace tagmint::codec

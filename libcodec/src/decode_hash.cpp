@@ -52,16 +52,21 @@ std::size_t slot_of(Codeword word, std::size_t slots) {
 
 /// `Index`: an unsigned type that counts the codewords, with its largest value to spare.
 template <typename Index>
-class HashLookup final : public Decoder::Lookup {
+class HashLookup final : public ListLookup {
  public:
-  HashLookup(std::span<const Codeword> codewords, int bits, int radius)
-      : Lookup(codewords, radius),
-        slots_(codewords.size() * ball_size(bits, radius) * kSlotsPerEntry, kEmpty) {
-    for (std::size_t i = 0; i < codewords.size(); ++i) {
-      visit_ball(codewords[i], bits, radius,
+  HashLookup(const TagList& tags, int radius)
+      : ListLookup(tags, radius),
+        slots_(tags.codewords.size() * ball_size(tags.bits, radius) * kSlotsPerEntry, kEmpty) {
+    for (std::size_t i = 0; i < tags.codewords.size(); ++i) {
+      visit_ball(tags.codewords[i], tags.bits, radius,
                  [&](Codeword word) { insert(word, static_cast<Index>(i)); });
     }
   }
+
+  std::size_t table_bytes() const override { return slots_.size() * sizeof(Index); }
+
+ private:
+  static constexpr Index kEmpty = std::numeric_limits<Index>::max();
 
   Nearest nearest(Codeword word) const override {
     Nearest nearest;
@@ -71,11 +76,6 @@ class HashLookup final : public Decoder::Lookup {
     }
     return nearest;
   }
-
-  std::size_t table_bytes() const override { return slots_.size() * sizeof(Index); }
-
- private:
-  static constexpr Index kEmpty = std::numeric_limits<Index>::max();
 
   std::size_t after(std::size_t slot) const { return slot + 1 == slots_.size() ? 0 : slot + 1; }
 
@@ -101,13 +101,12 @@ std::size_t hash_table_bytes(std::size_t codewords, int bits, int radius) {
   return codewords * ball_size(bits, radius) * kSlotsPerEntry * slot_bytes;
 }
 
-std::unique_ptr<const Decoder::Lookup> make_hash_lookup(std::span<const Codeword> codewords,
-                                                        int bits, int radius) {
-  assert(radius >= 0 && radius <= 2 && !codewords.empty());
-  if (fits_16_bits(codewords.size())) {
-    return std::make_unique<const HashLookup<std::uint16_t>>(codewords, bits, radius);
+std::unique_ptr<const Decoder::Lookup> make_hash_lookup(const TagList& tags, int radius) {
+  assert(radius >= 0 && radius <= 2 && !tags.codewords.empty());
+  if (fits_16_bits(tags.codewords.size())) {
+    return std::make_unique<const HashLookup<std::uint16_t>>(tags, radius);
   }
-  return std::make_unique<const HashLookup<std::uint32_t>>(codewords, bits, radius);
+  return std::make_unique<const HashLookup<std::uint32_t>>(tags, radius);
 }
 
 }  // namespace tagmint::codec

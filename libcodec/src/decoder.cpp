@@ -7,29 +7,12 @@
 #include <utility>
 
 #include "decode_lookup.h"
-#include "tagmint/codec/rotation.h"
+#include "tagmint/codec/id_distance.h"
 
 namespace tagmint::codec {
 namespace {
 
 constexpr int kMostHashErrors = 2;  // the table grows with bits^errors
-
-int checked_errors(const Family& family, const DecoderOptions& options) {
-  const int safe = family.max_safe_errors();
-  const int errors = options.max_errors.value_or(std::min(2, safe));
-  if (errors < 0 || errors > family.bits()) {
-    throw std::invalid_argument(fmt::format("{} bit errors cannot be corrected in {}; 0 to {} can",
-                                            errors, family.name(),
-                                            options.allow_unsafe_radius ? family.bits() : safe));
-  }
-  if (errors > safe && !options.allow_unsafe_radius) {
-    throw std::invalid_argument(
-        fmt::format("{} bit errors are more than {} corrects safely; with its distance {}, at most "
-                    "{} are, unless an unsafe radius is allowed",
-                    errors, family.name(), family.min_hamming(), safe));
-  }
-  return errors;
-}
 
 std::vector<TagId> checked_ids(const Family& family, std::vector<TagId> ids) {
   std::sort(ids.begin(), ids.end());
@@ -54,61 +37,61 @@ DecoderEngine chosen_engine(DecoderEngine wanted, std::size_t codewords, int bit
   return hash_fits ? DecoderEngine::Hash : DecoderEngine::Chunks;
 }
 
-std::unique_ptr<const Decoder::Lookup> make_lookup(DecoderEngine engine,
-                                                   std::span<const Codeword> codewords, int bits,
+std::unique_ptr<const Decoder::Lookup> make_lookup(DecoderEngine engine, const TagList& tags,
                                                    int errors) {
   switch (engine) {
     case DecoderEngine::BruteForce:
-      return make_brute_force_lookup(codewords, errors);
+      return make_brute_force_lookup(tags, errors);
     case DecoderEngine::Hash:
-      return make_hash_lookup(codewords, bits, errors);
+      return make_hash_lookup(tags, errors);
     case DecoderEngine::Chunks:
     case DecoderEngine::Auto:
       break;
   }
-  return make_chunk_lookup(codewords, bits, errors);
+  return make_chunk_lookup(tags, errors);
 }
 
 }  // namespace
 
 Decoder::Decoder(SharedFamily family, DecoderOptions options) : family_(std::move(family)) {
   if (family_ == nullptr) throw std::invalid_argument("a decoder needs a family, not null");
-  max_errors_ = checked_errors(*family_, options);
   chosen_ids_ = checked_ids(*family_, std::move(options.ids));
+  min_hamming_ = distance_of_ids(*family_, chosen_ids_, 1);
+  max_errors_ = checked_errors(options);
   for (const TagId id : chosen_ids_) chosen_codewords_.push_back(family_->codeword(id));
-  engine_ = chosen_engine(options.engine, codewords().size(), family_->bits(), max_errors_);
-  lookup_ = make_lookup(engine_, codewords(), family_->bits(), max_errors_);
+  const TagList tags{codewords(), chosen_ids_, family_->bits()};
+  engine_ = chosen_engine(options.engine, tags.codewords.size(), tags.bits, max_errors_);
+  lookup_ = make_lookup(engine_, tags, max_errors_);
 }
 
 Decoder::~Decoder() = default;
 Decoder::Decoder(Decoder&&) noexcept = default;
 Decoder& Decoder::operator=(Decoder&&) noexcept = default;
 
+int Decoder::checked_errors(const DecoderOptions& options) const {
+  const int safe = max_safe_errors();
+  const int bits = family_->bits();
+  const int errors = options.max_errors.value_or(std::min(2, safe));
+  if (errors < 0 || errors > bits) {
+    throw std::invalid_argument(fmt::format("{} bit errors cannot be corrected in {}; 0 to {} can",
+                                            errors, family_->name(),
+                                            options.allow_unsafe_radius ? bits : safe));
+  }
+  if (errors > safe && !options.allow_unsafe_radius) {
+    throw std::invalid_argument(fmt::format(
+        "{} bit errors are more than {} corrects safely; with {} distance {}, at most {} are, "
+        "unless an unsafe radius is allowed",
+        errors, family_->name(), chosen_ids_.empty() ? "its" : "the chosen ids'", min_hamming_,
+        safe));
+  }
+  return errors;
+}
+
 std::span<const Codeword> Decoder::codewords() const {
   return chosen_ids_.empty() ? family_->codewords() : std::span<const Codeword>(chosen_codewords_);
 }
 
-TagId Decoder::id_at(std::size_t index) const {
-  return chosen_ids_.empty() ? static_cast<TagId>(index) : chosen_ids_[index];
-}
-
-std::optional<Match> Decoder::decode(Codeword observed) const {
-  const int bits = family_->bits();
-  Nearest best;
-  int best_turns = 0;
-  for (int turns = 0; turns < 4; ++turns, observed = rotate_quarter(observed, bits)) {
-    const Nearest nearest = lookup_->nearest(observed);
-    if (!nearest.found() || nearest.distance > best.distance) continue;
-    if (nearest.distance < best.distance) {
-      best = nearest;
-      best_turns = turns;
-    } else if (nearest.tie || nearest.index != best.index) {
-      best.tie = true;
-    }
-  }
-  if (!best.found() || best.tie) return std::nullopt;
-  return Match{id_at(best.index), best.distance, best_turns};
-}
+std::optional<Match> Decoder::decode(Codeword observed) const { return lookup_->decode(observed); }
 
 std::size_t Decoder::table_bytes() const { return lookup_->table_bytes(); }
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "tagmint/codec/builtin_families.h"
+#include "tagmint/codec/id_distance.h"
 #include "tagmint/codec/layout_presets.h"
 #include "tagmint/codec/rotation.h"
 
@@ -238,6 +239,27 @@ TEST(Decoder, RecognisesChosenIdsOnly) {
   }
 }
 
+TEST(Decoder, ChosenIdsHaveTheirOwnSafeRadius) {
+  // Ids of tag36h11 that are at least 14 bits apart, and from their own turns.
+  const SharedFamily family = find_family("tag36h11");
+  DecoderOptions options;
+  for (TagId id = 0; id < family->size() && options.ids.size() < 6; ++id) {
+    options.ids.push_back(id);
+    if (distance_of_ids(*family, options.ids) < 14) options.ids.pop_back();
+  }
+  ASSERT_EQ(options.ids.size(), 6U);
+  EXPECT_EQ(Decoder(family).min_hamming(), 11);
+  EXPECT_EQ(Decoder(family).max_safe_errors(), 5);
+  options.max_errors = 6;
+  const Decoder decoder(family, options);
+  EXPECT_EQ(decoder.min_hamming(), 14);
+  EXPECT_EQ(decoder.max_safe_errors(), 6);
+  for (const TagId id : options.ids) {
+    const Codeword observed = family->codeword(id) ^ 0x90a000840;
+    EXPECT_EQ(decoder.decode(observed), (Match{id, 6, 0}));
+  }
+}
+
 TEST(Decoder, ChoosesTheHashWhileItsTableIsSmall) {
   const Decoder small(find_family("tag36h11"));
   EXPECT_EQ(small.engine(), DecoderEngine::Hash);
@@ -282,7 +304,11 @@ TEST(Decoder, ImpossibleOptionsAreNamed) {
   EXPECT_EQ(refusal_of(family, with(DecoderEngine::Auto, 6, true)), "accepted");
   EXPECT_EQ(refusal_of(family, with(DecoderEngine::Hash, 3)),
             "the hash table corrects at most 2 bit errors, not 3; the chunk index corrects any");
-  DecoderOptions options;
+  DecoderOptions options = with(DecoderEngine::Auto, 8);
+  options.ids = {5, 40};
+  EXPECT_EQ(refusal_of(family, options),
+            "8 bit errors are more than tag36h11 corrects safely; with the chosen ids' distance "
+            "15, at most 7 are, unless an unsafe radius is allowed");
   options.ids = {5, 587};
   EXPECT_EQ(refusal_of(family, options), "id 587 is not in tag36h11, which has ids 0 to 586");
 }

@@ -9,8 +9,11 @@
 #include <nlohmann/json.hpp>
 
 #include "io/images.h"
+#include "support/level_family.h"
+#include "support/rotation_codes.h"
 #include "support/scratch_folder.h"
 #include "support/tagmint_program.h"
+#include "tagmint/codec/family_file.h"
 
 namespace tagmint::test {
 namespace {
@@ -183,6 +186,34 @@ TEST(DetectProgram, LooksForTheIdsThatWereAskedFor) {
   EXPECT_EQ(found[1].at("id"), 6);
 }
 
+TEST(DetectProgram, TheIdsInUseDecideTheSafeRadius) {
+  const ScratchFolder folder;
+  const std::string path = folder.file("levels.json");
+  const codec::SharedFamily family =
+      listed_family(chain_of_36_bits(), "classic:10", std::array{16, 12});
+  codec::write_family(*family, path);
+  // Pictures of tags with seven wrong cells each.
+  codec::FamilyParts damaged{"damaged", family->layout(), 1, {}, {}, {}, {}};
+  for (const codec::TagId id : {7U, 59U}) {
+    damaged.codewords.push_back(family->codeword(id) ^ 0x900a00811);
+  }
+  codec::write_family(codec::Family(damaged), folder.file("damaged.json"));
+  render(folder, "a", {folder.file("damaged.json"), "--count", "2", "--min-side", "60"});
+  const std::string image = folder.file("a.png");
+  const ProgramResult result = tagmint({"detect", "--family", path, "--ids", "0-59",
+                                        "--max-hamming", "7", "--format", "jsonl", image});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Json found = lines_of(result.out).at(0).at("detections");
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(found[0].at("id"), 7);
+  EXPECT_EQ(found[1].at("id"), 59);
+  EXPECT_EQ(found[0].at("hamming"), 7);
+  EXPECT_EQ(found[1].at("hamming"), 7);
+  expect_fault({"detect", "--family", path, "--max-hamming", "7", image}, 2,
+               "7 bit errors are more than the 5 that listed corrects safely with distance 12 "
+               "(--max-hamming); ask for 0 to 5, or add --unsafe-radius");
+}
+
 TEST(DetectProgram, StatsGoToStderr) {
   const ScratchFolder folder;
   render(folder, "a", {"tag36h11", "--count", "1"});
@@ -215,8 +246,8 @@ TEST(DetectProgram, RefusesOptionsThatDoNotGoTogether) {
   };
   const std::string f = "--family";
   refused({f, "tag16h5", "--max-hamming", "3"},
-          "3 errors are more than the 2 that tag16h5 corrects safely (--max-hamming); ask for 0 to "
-          "2, or add --unsafe-radius");
+          "3 bit errors are more than the 2 that tag16h5 corrects safely with distance 5 "
+          "(--max-hamming); ask for 0 to 2, or add --unsafe-radius");
   refused({f, "tag16h5", f, "tag16h5"},
           "the family tag16h5 is given twice (--family); give each once");
   refused({f, "tag16h5", "--edge", "40mm"},

@@ -1,14 +1,18 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "cli/cell_picture.h"
+#include "support/level_family.h"
+#include "support/rotation_codes.h"
 #include "support/scratch_folder.h"
 #include "support/tagmint_program.h"
 #include "tagmint/codec/builtin_families.h"
+#include "tagmint/codec/family_file.h"
 #include "tagmint/codec/rotation.h"
 #include "tagmint/codec/tag_cells.h"
 
@@ -93,13 +97,38 @@ TEST(Decode, RadiusIsTheOneAskedFor) {
 
 TEST(Decode, RadiusAboveTheSafeOneNeedsTheUsersWord) {
   expect_fault({"decode", "tag36h11", "0", "--max-hamming", "6"}, 2,
-               "6 bit errors are more than the safe radius 5 of tag36h11 (--max-hamming); ask for "
-               "less, or allow wrong answers with --unsafe-radius");
+               "6 bit errors are more than the 5 that tag36h11 corrects safely with distance 11 "
+               "(--max-hamming); ask for 0 to 5, or add --unsafe-radius");
   const std::string six_errors = codec::to_hex(0xd7e00984b ^ 0x111111);
   const ProgramResult result =
       tagmint({"decode", "tag36h11", six_errors, "--max-hamming", "6", "--unsafe-radius"});
   EXPECT_LE(result.exit_code, 1);
   EXPECT_EQ(result.err, "");
+}
+
+TEST(Decode, TheIdsInUseDecideTheSafeRadius) {
+  const ScratchFolder folder;
+  const std::string path = folder.file("levels.json");
+  const codec::SharedFamily family =
+      listed_family(chain_of_36_bits(), "classic:10", std::array{16, 12});
+  ASSERT_EQ(family->levels()[0], (codec::Level{60, 16}));
+  ASSERT_EQ(family->levels()[1], (codec::Level{2016, 12}));
+  codec::write_family(*family, path);
+  const std::string seven_errors = codec::to_hex(family->codeword(59) ^ 0x111111100);
+  // A level, a part of it, and the whole.
+  for (const std::string ids : {"0-59", "3,59"}) {
+    const ProgramResult result =
+        tagmint({"decode", path, seven_errors, "--ids", ids, "--max-hamming", "7"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.out, seven_errors + " id 59 hamming 7 rotation 0\n");
+  }
+  EXPECT_EQ(tagmint({"decode", path, seven_errors, "--ids", "0-58"}).exit_code, 1);
+  expect_fault({"decode", path, "0", "--max-hamming", "7"}, 2,
+               "7 bit errors are more than the 5 that listed corrects safely with distance 12 "
+               "(--max-hamming); ask for 0 to 5, or add --unsafe-radius");
+  expect_fault({"decode", path, "0", "--max-hamming", "8", "--ids", "0-59"}, 2,
+               "8 bit errors are more than the 7 that ids 0-59 of listed correct safely with "
+               "distance 16 (--max-hamming); ask for 0 to 7, or add --unsafe-radius");
 }
 
 TEST(Decode, RadiusBeyondAllBitsIsNamedWithItsOption) {

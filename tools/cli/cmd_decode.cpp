@@ -8,10 +8,10 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "cli/decoder_option.h"
 #include "cli/options.h"
 #include "cli/output.h"
 #include "tagmint/codec/builtin_families.h"
@@ -25,8 +25,7 @@ struct Options {
   std::vector<std::string> codes;
   std::string format;
   std::string output;
-  std::optional<int> max_hamming;
-  bool unsafe_radius = false;
+  DecoderArguments decoding;
 };
 
 struct Reading {
@@ -84,21 +83,11 @@ int run(const Options& options) {
   const std::vector<std::string> formats = {"text", "json"};
   const std::string format = choose_format(options.format, options.output, formats, "text");
   const codec::SharedFamily family = codec::load_family(options.family);
-  require_safe_radius(*family, options.max_hamming, options.unsafe_radius);
   std::vector<Reading> readings;
   for (const std::string& code : options.codes) {
     readings.push_back({parse_codeword(code, *family), std::nullopt});
   }
-  codec::DecoderOptions decoding;
-  decoding.max_errors = options.max_hamming;
-  decoding.allow_unsafe_radius = options.unsafe_radius;
-  const codec::Decoder decoder = [&] {
-    try {
-      return codec::Decoder(family, decoding);
-    } catch (const std::invalid_argument& complaint) {
-      throw usage_error(complaint, "--max-hamming");
-    }
-  }();
+  const codec::Decoder decoder = make_decoder(family, options.decoding);
   for (Reading& reading : readings) reading.match = decoder.decode(reading.observed);
   write_output(options.output,
                format == "json" ? readings_json(decoder, readings) : readings_text(readings));
@@ -113,7 +102,7 @@ Runner set_up(CLI::App& app, const Common&) {
   add_family(app, options->family);
   app.add_option("CODE", options->codes, "codewords in hex, the first data cell as highest bit")
       ->required();
-  add_max_hamming(app, options->max_hamming, options->unsafe_radius);
+  add_decoder_options(app, options->decoding);
   add_format(app, options->format, {"text", "json"}, "text");
   add_output(app, options->output);
   return [options] { return run(*options); };

@@ -81,20 +81,13 @@ void add_search_options(CLI::App& app, DetectArguments& arguments) {
       ->required()
       ->type_name("FAMILY")
       ->allow_extra_args(false);
-  app.add_option("--ids", arguments.ids, "ids to look for, like 0-9,12,20-")
-      ->type_name("LIST")
-      ->default_str("all");
+  add_decoder_options(app, arguments.decoding);
   app.add_option("--decimate", arguments.detector.decimate, "look in an image X times smaller")
       ->type_name("X")
       ->check(number_between(1, 1000));
   app.add_option("--blur", arguments.detector.blur_sigma_px, "blur by S px; below 0: sharpen")
       ->type_name("S")
       ->check(number_between(-100, 100));
-  app.add_option("--max-hamming", arguments.max_hamming, "bit errors to correct")
-      ->type_name("N")
-      ->check(CLI::Range(0, codec::kMaxBits))
-      ->default_str("min(2, safe)");
-  app.add_flag("--unsafe-radius", arguments.unsafe_radius, "allow more than the safe radius");
   app.add_option("--min-margin", arguments.detector.min_decision_margin,
                  "drop tags of a lower decision margin")
       ->type_name("M")

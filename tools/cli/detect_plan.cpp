@@ -8,7 +8,6 @@
 #include <stdexcept>
 
 #include "cli/camera_option.h"
-#include "cli/id_list.h"
 #include "cli/length.h"
 #include "cli/options.h"
 #include "tagmint/codec/builtin_families.h"
@@ -19,25 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::shared_ptr<const codec::Decoder> make_decoder(const codec::SharedFamily& family,
-                                                   const DetectArguments& arguments) {
-  const int safe = family->max_safe_errors();
-  if (arguments.max_hamming && *arguments.max_hamming > safe && !arguments.unsafe_radius) {
-    throw UsageError(fmt::format("{} errors are more than the {} that {} corrects safely",
-                                 *arguments.max_hamming, safe, family->name()),
-                     "--max-hamming", fmt::format("ask for 0 to {}, or add --unsafe-radius", safe));
-  }
-  codec::DecoderOptions options;
-  options.max_errors = arguments.max_hamming;
-  options.allow_unsafe_radius = arguments.unsafe_radius;
-  if (!arguments.ids.empty()) options.ids = parse_id_list(arguments.ids, family->size());
-  try {
-    return std::make_shared<const codec::Decoder>(family, options);
-  } catch (const std::invalid_argument& complaint) {
-    throw usage_error(complaint, "--max-hamming");
-  }
-}
-
 std::vector<std::shared_ptr<const codec::Decoder>> make_decoders(const DetectArguments& arguments) {
   std::vector<std::shared_ptr<const codec::Decoder>> decoders;
   std::set<std::string> names;
@@ -47,7 +27,8 @@ std::vector<std::shared_ptr<const codec::Decoder>> make_decoders(const DetectArg
       throw UsageError(fmt::format("the family {} is given twice", family->name()), "--family",
                        "give each once");
     }
-    decoders.push_back(make_decoder(family, arguments));
+    decoders.push_back(
+        std::make_shared<const codec::Decoder>(make_decoder(family, arguments.decoding)));
   }
   return decoders;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/command.h"
+#include "cli/decoder_option.h"
 #include "draw/overlay.h"
 #include "tagmint/codec/decoder.h"
 #include "tagmint/detect/detector_options.h"
@@ -16,11 +17,9 @@ namespace tagmint::cli {
 /// The options of `tagmint detect` as they were given; empty texts where they were not.
 struct DetectArguments {
   std::vector<std::string> families;
-  std::string ids;
   std::string format;
   detect::DetectorOptions detector;
-  std::optional<int> max_hamming;
-  bool unsafe_radius = false;
+  DecoderArguments decoding;
   bool no_refine = false;
   std::string camera;
   std::string distortion;

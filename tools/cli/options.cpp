@@ -86,23 +86,6 @@ std::function<std::string(const std::string&)> number_between(double least, doub
   };
 }
 
-void add_max_hamming(CLI::App& app, std::optional<int>& max_hamming, bool& unsafe_radius) {
-  app.add_option("--max-hamming", max_hamming, "correct up to N bit errors")
-      ->type_name("N")
-      ->check(CLI::Range(0, codec::kMaxBits))
-      ->default_str("2 or the safe radius");
-  app.add_flag("--unsafe-radius", unsafe_radius,
-               "allow more errors than the family can surely correct");
-}
-
-void require_safe_radius(const codec::Family& family, std::optional<int> max_hamming,
-                         bool unsafe_radius) {
-  if (unsafe_radius || !max_hamming || *max_hamming <= family.max_safe_errors()) return;
-  throw UsageError(fmt::format("{} bit errors are more than the safe radius {} of {}", *max_hamming,
-                               family.max_safe_errors(), family.name()),
-                   "--max-hamming", "ask for less, or allow wrong answers with --unsafe-radius");
-}
-
 void add_absent_option(CLI::App& app, const std::string& name, const std::string& instead) {
   // A flag and an option with a value alike: the value is not looked at.
   const auto refuse = [name, instead](const CLI::results_t&) -> bool {

@@ -42,14 +42,6 @@ CLI::Option* add_family(CLI::App& app, std::string& name_or_path);
 /// A check for an option's value: a finite number from `least` to `most`, named in the complaint.
 std::function<std::string(const std::string&)> number_between(double least, double most);
 
-/// Adds --max-hamming and --unsafe-radius.
-void add_max_hamming(CLI::App& app, std::optional<int>& max_hamming, bool& unsafe_radius);
-
-/// Throws UsageError when `max_hamming` is above the family's safe radius (h - 1) / 2 and that was
-/// not asked for with --unsafe-radius.
-void require_safe_radius(const codec::Family& family, std::optional<int> max_hamming,
-                         bool unsafe_radius);
-
 /// Adds an option that is part of the contract but not of this version: it is not listed in the
 /// help, and giving it is a usage error that says so.
 void add_absent_option(CLI::App& app, const std::string& name, const std::string& instead);

@@ -30,7 +30,7 @@ enum class DecoderEngine {
 };
 
 struct DecoderOptions {
-  /// Bit errors to correct; nothing = min(2, the family's safe radius).
+  /// Bit errors to correct; nothing = min(2, the safe radius of the ids).
   std::optional<int> max_errors;
   /// Allow max_errors above the safe radius (h - 1) / 2. Then a word equally near to two tags is
   /// refused.
@@ -48,9 +48,10 @@ class Decoder {
   static constexpr std::size_t kMaxTableBytes = std::size_t{64} << 20;
 
   /// Throws std::invalid_argument when family is null, max_errors is negative, above the safe
-  /// radius without allow_unsafe_radius, above the bits of a word, or above 2 for the Hash engine,
-  /// or an id is not in the family. An id given twice counts once.
-  ///   cost   Hash: ids * (words within max_errors) table entries, some 50 million a second
+  /// radius of the ids without allow_unsafe_radius, above the bits of a word, or above 2 for the
+  /// Hash engine, or an id is not in the family. An id given twice counts once.
+  ///   cost   Hash: ids * (words within max_errors) table entries, some 50 million a second; for
+  ///   chosen ids that of distance_of_ids() on one thread
   explicit Decoder(SharedFamily family, DecoderOptions options = {});
   ~Decoder();
   Decoder(Decoder&&) noexcept;
@@ -65,6 +66,11 @@ class Decoder {
   std::optional<Match> decode(Codeword observed) const;
 
   const SharedFamily& family() const { return family_; }
+  /// Hamming distance of the ids to recognise, as distance_of_ids() gives it: at least that of the
+  /// smallest level that holds them, and larger where few ids happen to be farther apart.
+  int min_hamming() const { return min_hamming_; }
+  /// Bit errors that are always corrected to the right one of the ids to recognise.
+  int max_safe_errors() const { return (min_hamming_ - 1) / 2; }
   int max_errors() const { return max_errors_; }
   /// The engine in use, never Auto.
   DecoderEngine engine() const { return engine_; }
@@ -75,15 +81,17 @@ class Decoder {
   /// have, without building it. Throws std::invalid_argument for other radii.
   static std::size_t hash_table_bytes(const Family& family, int max_errors);
 
-  /// Answers for one orientation only; implemented by the engines in src/.
+  /// What decode() asks; implemented by the engines in src/.
   class Lookup;
 
  private:
-  /// The codewords to recognise, and by their index their ids.
+  /// Throws as the constructor does.
+  int checked_errors(const DecoderOptions& options) const;
+  /// The codewords to recognise; by place, their ids.
   std::span<const Codeword> codewords() const;
-  TagId id_at(std::size_t index) const;
 
   SharedFamily family_;
+  int min_hamming_ = 0;
   int max_errors_ = 0;
   DecoderEngine engine_ = DecoderEngine::Auto;
   std::vector<TagId> chosen_ids_;           // sorted; empty = all ids of the family
