@@ -7,6 +7,7 @@
 
 #include "tagmint/codec/codeword.h"
 #include "tagmint/codec/decoder.h"
+#include "tagmint/codec/tag_index.h"
 
 namespace tagmint::codec {
 
@@ -86,5 +87,12 @@ std::size_t hash_table_bytes(std::size_t codewords, int bits, int radius);
 
 /// An index of `radius` + 1 chunks of the word, one of which has no error.
 std::unique_ptr<const Decoder::Lookup> make_chunk_lookup(const TagList& tags, int radius);
+
+/// Looks for the words of one level of a rotation code by information sets, without a list of them.
+///   ids   sorted, those to recognise; empty = all of the level. They must outlive the look-up
+std::unique_ptr<const Decoder::Lookup> make_information_set_lookup(SharedTagIndex index,
+                                                                   std::size_t level,
+                                                                   std::span<const TagId> ids,
+                                                                   int radius);
 
 }  // namespace tagmint::codec
