@@ -4,6 +4,7 @@
 
 #include "cli/cmd_check.h"
 #include "cli/cmd_choose.h"
+#include "cli/cmd_convert.h"
 #include "cli/cmd_decode.h"
 #include "cli/cmd_detect.h"
 #include "cli/cmd_encode.h"
@@ -24,6 +25,7 @@ std::span<const Command> command_table() {
       generate_command(),
       info_command(),
       check_command(),
+      convert_command(),
       encode_command(),
       decode_command(),
       sheet_command(),

@@ -1,0 +1,200 @@
+#include "cli/cmd_convert.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "cli/number.h"
+#include "cli/options.h"
+#include "cli/output.h"
+#include "cli/terminal.h"
+#include "io/atomic_folder.h"
+#include "io/family_kinds/family_changes.h"
+#include "io/family_kinds/family_kind.h"
+#include "tagmint/codec/builtin_families.h"
+#include "tagmint/codec/layout_presets.h"
+#include "tagmint/codec/suggest.h"
+
+namespace tagmint::cli {
+namespace {
+
+struct Options {
+  std::string input;
+  std::string output;
+  std::string to;
+  std::string from;
+  std::string codes;
+  std::string name;
+  std::string layout;
+  std::optional<int> min_hamming;
+  std::string opencv;
+  std::string bit_order;
+};
+
+const io::FamilyKind& kind_to_write(const Options& options) {
+  const io::FamilyKind* kind = options.to.empty() ? io::family_kind_of_output(options.output)
+                                                  : io::find_family_kind(options.to);
+  if (is_stdout(options.output) && options.to.empty()) kind = nullptr;
+  if (!kind) {
+    throw UsageError(
+        "the name of the output does not tell its kind", options.output,
+        fmt::format("name it with --to, one of {}", fmt::join(io::family_kind_names(), ", ")));
+  }
+  if (is_stdout(options.output) && !kind->one_file) {
+    throw UsageError(fmt::format("{} is more than one file", kind->name), "-o",
+                     "give it a name of its own");
+  }
+  return *kind;
+}
+
+void require_output(const io::FamilyKind& kind, const std::string& target) {
+  if (kind.is_folder) {
+    io::AtomicFolder::require_possible(target);
+  } else {
+    require_writable(target);
+  }
+}
+
+io::FamilyReadOptions read_options(const Options& options, const Common& common) {
+  io::FamilyReadOptions read{
+      .name = options.name, .min_hamming = options.min_hamming, .threads = common.threads};
+  if (!options.layout.empty()) {
+    read.layout = parse_option(codec::parse_layout, options.layout, "--layout");
+  }
+  if (!options.opencv.empty()) {
+    read.opencv = options.opencv == "4" ? io::OpenCvTurn::HalfTurned : io::OpenCvTurn::Upright;
+  }
+  if (options.bit_order == "rows") read.bit_order = io::BitOrder::Rows;
+  if (options.bit_order == "quarter-blocks") read.bit_order = io::BitOrder::QuarterBlocks;
+  return read;
+}
+
+/// The family of IN: a bundled one, or that of a file or folder.
+io::ReadFamily read_input_family(const Options& options, const Common& common) {
+  const io::FamilyReadOptions read = read_options(options, common);
+  std::error_code unknown;
+  const bool bundled = options.from.empty() && codec::find_family(options.input) != nullptr;
+  if (bundled || (options.input != "-" && !std::filesystem::exists(options.input, unknown))) {
+    return {io::with_options(*codec::load_family(options.input), read)};
+  }
+  const io::FamilySource source = io::read_family_source(options.input);
+  const io::FamilyKind& kind = options.from.empty() ? io::recognise_family_kind(source)
+                                                    : *io::find_family_kind(options.from);
+  if (source.is_folder != kind.is_folder) {
+    throw UsageError(fmt::format("a {} is not {}", source.is_folder ? "folder" : "file", kind.name),
+                     options.input, "leave --from out");
+  }
+  return kind.read(source, read);
+}
+
+/// The family as it goes into the kind: cut where the user or the kind wants fewer tags, which is
+/// said.
+codec::Family fitted(codec::Family family, const io::FamilyKind& kind, const Options& options,
+                     const Common& common) {
+  const std::size_t size = family.size();
+  const std::size_t wanted = options.codes.empty()
+                                 ? size
+                                 : static_cast<std::size_t>(parse_count(options.codes, "--codes"));
+  if (wanted > size) {
+    throw UsageError(fmt::format("{} has {} codes, not {}", family.name(), size, wanted), "--codes",
+                     "ask for fewer");
+  }
+  const std::size_t fitting = kind.most_codes == 0 ? wanted : std::min(wanted, kind.most_codes);
+  if (fitting == size) return family;
+  codec::Family part = io::first_tags(family, fitting);
+  const std::string reason =
+      fitting < wanted ? fmt::format("{}", kind.limit_reason) : "--codes asks for no more";
+  say(common,
+      fmt::format("{}: only the first {} of {} codes are written, at distance {}; {} are "
+                  "left out: {}",
+                  family.name(), fitting, size, part.min_hamming(), size - fitting, reason));
+  return part;
+}
+
+std::string written_names(const io::FamilyKind& kind, const std::string& target,
+                          const std::vector<io::FamilyFile>& files) {
+  if (kind.is_folder) return fmt::format("{}, {} files", target, files.size());
+  std::vector<std::string> names;
+  for (const io::FamilyFile& file : files) names.push_back(file.path);
+  return fmt::format("{}", fmt::join(names, " and "));
+}
+
+int run(const Options& options, const Common& common) {
+  const io::FamilyKind& kind = kind_to_write(options);
+  if (!is_stdout(options.output)) require_output(kind, options.output);
+  io::ReadFamily read = read_input_family(options, common);
+  for (const std::string& note : read.notes) {
+    say(common, fmt::format("{}: {}", read.family.name(), note));
+  }
+  const std::size_t size = read.family.size();
+  const codec::Family family = fitted(std::move(read.family), kind, options, common);
+  io::FamilyWriteOptions write;
+  if (options.opencv == "5") write.opencv = io::OpenCvTurn::Upright;
+  if (family.size() < size) write.codes_before_cut = size;
+  const std::vector<io::FamilyFile> files = kind.make(family, options.output, write);
+  if (is_stdout(options.output)) {
+    write_output(options.output, files.front().content);
+    return kDone;
+  }
+  io::write_family_files(kind, options.output, files);
+  const std::string turn =
+      kind.name != "opencv" ? ""
+      : write.opencv == io::OpenCvTurn::HalfTurned
+          ? ", turned by 180 degrees as OpenCV 4's own AprilTag dictionaries are"
+          : ", upright";
+  say(common, fmt::format("{}: {} codes as {}{}; written to {}", family.name(), family.size(),
+                          kind.name, turn, written_names(kind, options.output, files)));
+  return kDone;
+}
+
+Runner set_up(CLI::App& app, const Common& common) {
+  app.description(
+      "Kinds: tagmint (.json), apriltag-c (.c and .h), opencv (.yml, .yaml, .json.gz, ...), png (a "
+      "folder), rmsalinas (.txt, .dict), csv. IN's kind is seen from its content.");
+  auto options = std::make_shared<Options>();
+  Options& o = *options;
+  app.add_option("IN", o.input, "bundled family, file or folder; - is stdin")->required();
+  add_output(app, o.output, "file or folder to write")->required()->default_str("");
+  add_choice(app, "--to", o.to, io::family_kind_names(), "kind of OUT; else by its extension")
+      ->type_name("KIND");
+  add_choice(app, "--from", o.from, io::family_kind_names(), "kind of IN; else by its content")
+      ->type_name("KIND");
+  app.add_option("--codes", o.codes, "write the first N only")
+      ->type_name("N")
+      ->default_str("all that the kind holds");
+  app.add_option("--name", o.name, "name of the family; else as IN says, or IN's own")
+      ->type_name("N");
+  app.add_option("--layout", o.layout, "layout, where IN leaves it open")->type_name("LAYOUT");
+  app.add_option("--min-hamming", o.min_hamming, "distance, where IN leaves it open")
+      ->type_name("H")
+      ->check(CLI::Range(1, codec::kMaxBits))
+      ->default_str("computed");
+  add_choice(app, "--opencv", o.opencv, {"4", "5"},
+             "whose AprilTag dictionaries opencv files are like: 4 has tags turned by 180 degrees")
+      ->default_str("OUT 4, IN as it says");
+  add_choice(app, "--bit-order", o.bit_order, {"rows", "quarter-blocks"},
+             "of a C table without places of bits")
+      ->default_str("rows");
+  return [options, &common] { return run(*options, common); };
+}
+
+}  // namespace
+
+Command convert_command() {
+  return {.name = "convert",
+          .summary = "between family files, as libapriltag and OpenCV have them",
+          .examples = {"tagmint convert my.json -o tagMy.c",
+                       "tagmint convert tag36h11 --opencv 5 -o tag36h11.yml"},
+          .set_up = set_up};
+}
+
+}  // namespace tagmint::cli
