@@ -59,6 +59,9 @@ Decoder::Decoder(SharedFamily family, DecoderOptions options) : family_(std::mov
   min_hamming_ = distance_of_ids(*family_, chosen_ids_, 1);
   max_errors_ = checked_errors(options);
   for (const TagId id : chosen_ids_) chosen_codewords_.push_back(family_->codeword(id));
+  if (chosen_ids_.empty() && !family_->is_listed()) {
+    chosen_codewords_ = first_codewords(*family_, family_->size());
+  }
   const TagList tags{codewords(), chosen_ids_, family_->bits()};
   engine_ = chosen_engine(options.engine, tags.codewords.size(), tags.bits, max_errors_);
   lookup_ = make_lookup(engine_, tags, max_errors_);
@@ -88,7 +91,8 @@ int Decoder::checked_errors(const DecoderOptions& options) const {
 }
 
 std::span<const Codeword> Decoder::codewords() const {
-  return chosen_ids_.empty() ? family_->codewords() : std::span<const Codeword>(chosen_codewords_);
+  return chosen_codewords_.empty() ? family_->codewords()
+                                   : std::span<const Codeword>(chosen_codewords_);
 }
 
 std::optional<Match> Decoder::decode(Codeword observed) const { return lookup_->decode(observed); }

@@ -2,28 +2,61 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "family_rules.h"
 
 namespace tagmint::codec {
 
+namespace {
+
+/// What the codewords of a listed family must obey.
+void check_codewords(const FamilyParts& parts) {
+  if (parts.codewords.empty()) {
+    throw std::invalid_argument("a family needs at least one codeword");
+  }
+  if (parts.codewords.size() > std::numeric_limits<TagId>::max()) {
+    throw std::invalid_argument(
+        fmt::format("{} codewords are more than ids can count", parts.codewords.size()));
+  }
+  if (const auto fault = find_codeword_fault(parts.codewords, parts.layout.bits())) {
+    throw std::invalid_argument(fault->message);
+  }
+}
+
+}  // namespace
+
 Family::Family(FamilyParts parts) : parts_(std::move(parts)) {
   check_family_name(parts_.name);
   check_min_hamming(parts_.min_hamming, bits());
-  if (parts_.codewords.empty()) {
-    throw std::invalid_argument("a family needs at least one codeword");
+  const SharedRotationCode& generator = parts_.generator;
+  if (generator == nullptr) {
+    check_codewords(parts_);
+  } else if (!parts_.codewords.empty()) {
+    throw std::invalid_argument("a family has codewords or a generator, not both");
   }
-  if (parts_.codewords.size() > std::numeric_limits<TagId>::max()) {
-    throw std::invalid_argument(
-        fmt::format("{} codewords are more than ids can count", parts_.codewords.size()));
+  const std::size_t size = generator ? generator->tags() : parts_.codewords.size();
+  if (parts_.levels.empty()) parts_.levels = {{size, parts_.min_hamming}};
+  if (generator != nullptr) {
+    check_generator(*generator, parts_.layout.bits(), parts_.levels);
+    index_ = std::make_shared<const TagIndex>(generator, parts_.layout, parts_.complexity);
   }
-  if (const auto fault = find_codeword_fault(parts_.codewords, bits())) {
-    throw std::invalid_argument(fault->message);
-  }
-  if (parts_.levels.empty()) parts_.levels = {{parts_.codewords.size(), parts_.min_hamming}};
-  check_levels(parts_.levels, parts_.codewords.size(), parts_.min_hamming);
+  check_levels(parts_.levels, size, parts_.min_hamming);
+}
+
+std::vector<Codeword> some_codewords(const Family& family, TagId first, std::size_t count) {
+  const std::size_t left = family.size() - std::min<std::size_t>(first, family.size());
+  count = std::min(count, left);
+  if (!family.is_listed()) return family.index()->codewords(first, count);
+  const auto begin = family.codewords().begin() + first;
+  return {begin, begin + static_cast<std::ptrdiff_t>(count)};
+}
+
+std::vector<Codeword> first_codewords(const Family& family, std::size_t count) {
+  return some_codewords(family, 0, count);
 }
 
 }  // namespace tagmint::codec

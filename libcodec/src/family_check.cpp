@@ -83,8 +83,9 @@ std::string near_pair_message(const Family& family, TagId a, TagId b) {
 }
 
 void check_pair_distances(const Family& family, int threads, Findings& findings) {
+  const std::vector<Codeword> codewords = first_codewords(family, family.size());
   const std::vector<DistanceHistogram> histograms =
-      pair_histograms(family.codewords(), family.bits(), family.levels(), threads);
+      pair_histograms(codewords, family.bits(), family.levels(), threads);
   // The least distance among the first ids falls from level to level.
   int least = kMaxBits + 1;
   bool sound = true;
@@ -105,7 +106,7 @@ void check_pair_distances(const Family& family, int threads, Findings& findings)
     }
   }
   if (sound) return;
-  const auto pair = first_near_pair(family.codewords(), family.bits(), family.levels(), threads);
+  const auto pair = first_near_pair(codewords, family.bits(), family.levels(), threads);
   findings.violate({pair->first, pair->second},
                    near_pair_message(family, pair->first, pair->second));
 }

@@ -3,88 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "counting_iterator.h"
+#include "family_fields.h"
 #include "tagmint/codec/errors.h"
 
 namespace tagmint::codec {
 namespace {
 
 using Json = nlohmann::json;
-
-enum class Kind { Text, WholeNumber, Number, Code, List, Group };
-
-/// What a key must hold. List elements have the list's path and "[]".
-struct Field {
-  std::string_view path;
-  Kind kind;
-};
-
-constexpr std::array kFields = {
-    Field{"", Kind::Group},
-    Field{"format", Kind::Text},
-    Field{"version", Kind::WholeNumber},
-    Field{"name", Kind::Text},
-    Field{"bits", Kind::WholeNumber},
-    Field{"min_hamming", Kind::WholeNumber},
-    Field{"layout", Kind::List},
-    Field{"layout[]", Kind::Text},
-    Field{"complexity", Kind::Group},
-    Field{"complexity.rule", Kind::Text},
-    Field{"complexity.threshold", Kind::Number},
-    Field{"origin", Kind::Group},
-    Field{"origin.method", Kind::Text},
-    Field{"origin.order", Kind::Text},
-    Field{"origin.seed", Kind::Text},
-    Field{"origin.searched", Kind::Text},
-    Field{"origin.program", Kind::Text},
-    Field{"sha256", Kind::Text},
-    Field{"codes", Kind::List},
-    Field{"codes[]", Kind::Code},
-    Field{"levels", Kind::List},
-    Field{"levels[]", Kind::Group},
-    Field{"levels[].codes", Kind::WholeNumber},
-    Field{"levels[].min_hamming", Kind::WholeNumber},
-    Field{"generator", Kind::Group},
-};
-
-const Field* find_field(std::string_view path) {
-  const auto field =
-      std::find_if(kFields.begin(), kFields.end(), [&](const Field& f) { return f.path == path; });
-  return field == kFields.end() ? nullptr : &*field;
-}
-
-std::string_view kind_name(Kind kind) {
-  switch (kind) {
-    case Kind::Text:
-      return "a string";
-    case Kind::WholeNumber:
-      return "a whole number of at least 0";
-    case Kind::Number:
-      return "a number";
-    case Kind::Code:
-      return "a string of 0x and 16 hex digits";
-    case Kind::List:
-      return "a list";
-    case Kind::Group:
-      break;
-  }
-  return "an object";
-}
-
-std::optional<Codeword> parse_code(std::string_view text) {
-  constexpr std::size_t kDigits = 16;
-  if (text.size() != 2 + kDigits || !text.starts_with("0x")) return std::nullopt;
-  Codeword word = 0;
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data() + 2, end, word, 16);
-  if (error != std::errc() || stop != end) return std::nullopt;
-  return word;
-}
+using Kind = FamilyField::Kind;
 
 /// Takes the parser's events and fills a FamilyDocument.
 class DocumentReader {
@@ -101,14 +31,14 @@ class DocumentReader {
   bool null() { return refuse_unless_unknown("null"); }
   bool boolean(bool) { return refuse_unless_unknown("true or false"); }
   bool number_integer(Json::number_integer_t value) {
-    const Field* const field = value_field();
+    const FamilyField* const field = value_field();
     if (field == nullptr) return true;
     if (field->kind != Kind::Number) fail_kind(*field, fmt::format("{}", value));
     set_number(*field, static_cast<double>(value));
     return true;
   }
   bool number_unsigned(Json::number_unsigned_t value) {
-    const Field* const field = value_field();
+    const FamilyField* const field = value_field();
     if (field == nullptr) return true;
     if (field->kind == Kind::WholeNumber) {
       set_whole_number(*field, value);
@@ -120,17 +50,17 @@ class DocumentReader {
     return true;
   }
   bool number_float(Json::number_float_t value, const std::string& text) {
-    const Field* const field = value_field();
+    const FamilyField* const field = value_field();
     if (field == nullptr) return true;
     if (field->kind != Kind::Number) fail_kind(*field, text);
     set_number(*field, value);
     return true;
   }
   bool string(std::string& value) {
-    const Field* const field = value_field();
+    const FamilyField* const field = value_field();
     if (field == nullptr) return true;
     if (field->kind == Kind::Code) {
-      add_code(value);
+      add_code(*field, value);
     } else if (field->kind == Kind::Text) {
       set_text(*field, value);
     } else {
@@ -153,7 +83,7 @@ class DocumentReader {
     // Names with a path's own signs are none of ours.
     const bool plain = !name.empty() && name.find_first_of(".[]") == std::string::npos;
     const std::string path = frame.path.empty() ? name : frame.path + "." + name;
-    frame.value = plain ? find_field(path) : nullptr;
+    frame.value = plain ? find_family_field(path) : nullptr;
     if (frame.value != nullptr && !frame.seen.insert(name).second) {
       fail(fmt::format("the key \"{}\" comes twice", name), "keep one of them");
     }
@@ -183,9 +113,9 @@ class DocumentReader {
   /// An open object or list.
   struct Frame {
     bool is_list = false;
-    bool known = false;            // a field of ours, not something inside an unknown key
-    std::string path;              // its own
-    const Field* value = nullptr;  // the field that the next value fills; null = unknown
+    bool known = false;                  // a field of ours, not something inside an unknown key
+    std::string path;                    // its own
+    const FamilyField* value = nullptr;  // the field that the next value fills; null = unknown
     std::set<std::string, std::less<>> seen;  // the known keys so far
   };
 
@@ -193,7 +123,7 @@ class DocumentReader {
     fail_in_line(what, source_, count_.line, mend);
   }
 
-  [[noreturn]] void fail_kind(const Field& field, std::string_view found) const {
+  [[noreturn]] void fail_kind(const FamilyField& field, std::string_view found) const {
     if (field.path.empty()) {
       fail(fmt::format("a family file is one JSON object, this is {}", found),
            "see docs/family-format.md");
@@ -202,22 +132,24 @@ class DocumentReader {
          fmt::format("it must be {}", kind_name(field.kind)));
   }
 
-  const Field* value_field() const { return frames_.empty() ? &kFields[0] : frames_.back().value; }
+  const FamilyField* value_field() const {
+    return frames_.empty() ? find_family_field("") : frames_.back().value;
+  }
 
   bool refuse_unless_unknown(std::string_view found) const {
-    if (const Field* const field = value_field()) fail_kind(*field, found);
+    if (const FamilyField* const field = value_field()) fail_kind(*field, found);
     return true;
   }
 
   void open(Kind kind) {
-    const Field* const field = value_field();
+    const FamilyField* const field = value_field();
     Frame frame;
     frame.is_list = kind == Kind::List;
     if (field != nullptr) {
       if (field->kind != kind) fail_kind(*field, kind_name(kind));
       frame.known = true;
       frame.path = std::string(field->path);
-      if (frame.is_list) frame.value = find_field(frame.path + "[]");
+      if (frame.is_list) frame.value = find_family_field(frame.path + "[]");
       begin(frame.path);
     }
     frames_.push_back(std::move(frame));
@@ -230,10 +162,14 @@ class DocumentReader {
     if (path == "codes") document_.codes = {{}, line};
     if (path == "levels") document_.levels = {{}, line};
     if (path == "levels[]") document_.levels->value.emplace_back();
-    if (path == "generator") document_.generator = {true, line};
+    if (path == "generator") document_.generator = {{}, line};
+    if (path == "generator.basis") document_.generator->value.basis.emplace();
+    if (path == "generator.cosets") document_.generator->value.cosets.emplace();
+    if (path == "generator.levels") document_.generator->value.levels.emplace();
+    if (path == "generator.levels[]") document_.generator->value.levels->emplace_back();
   }
 
-  void set_text(const Field& field, const std::string& text) {
+  void set_text(const FamilyField& field, const std::string& text) {
     const Placed<std::string> placed{text, count_.line};
     if (field.path == "format") document_.format = placed;
     if (field.path == "name") document_.name = placed;
@@ -247,30 +183,44 @@ class DocumentReader {
     if (field.path == "sha256") document_.sha256 = placed;
   }
 
-  void set_whole_number(const Field& field, std::uint64_t number) {
+  void set_whole_number(const FamilyField& field, std::uint64_t number) {
     const Placed<std::uint64_t> placed{number, count_.line};
     if (field.path == "version") document_.version = placed;
     if (field.path == "bits") document_.bits = placed;
     if (field.path == "min_hamming") document_.min_hamming = placed;
     if (field.path == "levels[].codes") document_.levels->value.back().codes = placed;
     if (field.path == "levels[].min_hamming") document_.levels->value.back().min_hamming = placed;
+    if (field.path == "levels[].plain") document_.levels->value.back().plain = placed;
+    if (field.path == "generator.levels[].dimension") {
+      document_.generator->value.levels->back().dimension = placed;
+    }
+    if (field.path == "generator.levels[].cosets") {
+      document_.generator->value.levels->back().cosets = placed;
+    }
   }
 
-  void set_number(const Field& field, double number) {
+  void set_number(const FamilyField& field, double number) {
     if (field.path == "complexity.threshold") {
       document_.complexity_threshold = {number, count_.line};
     }
   }
 
-  void add_code(const std::string& text) {
-    const std::size_t id = document_.code_lines.size();
+  void add_code(const FamilyField& field, const std::string& text) {
     const std::optional<Codeword> code = parse_code(text);
+    const bool listed = field.path == "codes[]";
     if (!code) {
-      fail(fmt::format("codeword {} is \"{}\"", id, text.substr(0, 40)),
+      const std::string place = listed ? fmt::format("codeword {}", document_.code_lines.size())
+                                       : fmt::format("\"{}\"", field.path);
+      fail(fmt::format("{} is \"{}\"", place, text.substr(0, 40)),
            "a codeword is 0x and 16 hex digits");
     }
-    document_.codes->value.push_back(*code);
-    document_.code_lines.push_back(count_.line);
+    if (listed) {
+      document_.codes->value.push_back(*code);
+      document_.code_lines.push_back(count_.line);
+    }
+    if (field.path == "generator.basis[]") document_.generator->value.basis->push_back(*code);
+    if (field.path == "generator.translation") document_.generator->value.translation = *code;
+    if (field.path == "generator.cosets[]") document_.generator->value.cosets->push_back(*code);
   }
 
   const std::string& source_;

@@ -21,10 +21,25 @@ struct Placed {
 struct LevelEntry {
   std::optional<Placed<std::uint64_t>> codes;
   std::optional<Placed<std::uint64_t>> min_hamming;
+  std::optional<Placed<std::uint64_t>> plain;
+};
+
+/// One entry of "levels" in "generator" as the file has it.
+struct GeneratorLevelEntry {
+  std::optional<Placed<std::uint64_t>> dimension;
+  std::optional<Placed<std::uint64_t>> cosets;
+};
+
+/// "generator" as the file has it.
+struct GeneratorEntry {
+  std::optional<std::vector<Codeword>> basis;
+  std::optional<Codeword> translation;
+  std::optional<std::vector<Codeword>> cosets;
+  std::optional<std::vector<GeneratorLevelEntry>> levels;
 };
 
 /// The known keys of a family file with their lines. Each value has the right kind; whether they
-/// fit together is for the reader (family_file.cpp) to say.
+/// fit together is for build_family() to say.
 struct FamilyDocument {
   std::optional<Placed<std::string>> format;
   std::optional<Placed<std::uint64_t>> version;
@@ -39,7 +54,7 @@ struct FamilyDocument {
   std::optional<Placed<std::vector<Codeword>>> codes;
   std::vector<int> code_lines;  // of each codeword
   std::optional<Placed<std::vector<LevelEntry>>> levels;
-  std::optional<Placed<bool>> generator;  // set where the key is there; its content is not read
+  std::optional<Placed<GeneratorEntry>> generator;
   int last_line = 1;
 };
 

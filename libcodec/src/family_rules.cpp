@@ -51,15 +51,44 @@ std::optional<CodewordFault> find_codeword_fault(std::span<const Codeword> codew
   return fault;
 }
 
-void check_levels(std::span<const Level> levels, std::size_t size, int min_hamming) {
-  for (std::size_t i = 0; i + 1 < levels.size(); ++i) {
-    if (levels[i].codes >= levels[i + 1].codes ||
-        levels[i].min_hamming <= levels[i + 1].min_hamming) {
-      throw std::invalid_argument(fmt::format(
-          "level {} must have more codes and a smaller distance than level {}", i + 1, i));
+void check_generator(const RotationCode& generator, int bits, std::span<const Level> levels) {
+  if (generator.bits() != bits) {
+    throw std::invalid_argument(
+        fmt::format("the generator makes words of {} bits, the layout has {} data cells",
+                    generator.bits(), bits));
+  }
+  if (generator.levels().size() != levels.size()) {
+    throw std::invalid_argument(fmt::format("the family has {} levels, its generator {}",
+                                            levels.size(), generator.levels().size()));
+  }
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const std::size_t tags = generator.tags(i);
+    if (tags == 0) {
+      throw std::invalid_argument(fmt::format("level {} of the generator has no tags", i));
+    }
+    if (levels[i].codes != tags) {
+      throw std::invalid_argument(
+          fmt::format("level {} has {} codes, the generator makes {}", i, levels[i].codes, tags));
     }
   }
-  if (levels.empty() || levels.front().codes == 0 || levels.back() != Level{size, min_hamming}) {
+}
+
+void check_levels(std::span<const Level> levels, std::size_t size, int min_hamming) {
+  std::size_t before = 0;  // codes of the level before
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const Level& level = levels[i];
+    if (i > 0 && (level.codes <= before || level.min_hamming >= levels[i - 1].min_hamming)) {
+      throw std::invalid_argument(fmt::format(
+          "level {} must have more codes and a smaller distance than level {}", i, i - 1));
+    }
+    if (level.plain > level.codes - before) {
+      throw std::invalid_argument(fmt::format("level {} has {} plain tags, but adds only {} tags",
+                                              i, level.plain, level.codes - before));
+    }
+    before = level.codes;
+  }
+  if (levels.empty() || levels.front().codes == 0 || levels.back().codes != size ||
+      levels.back().min_hamming != min_hamming) {
     throw std::invalid_argument(fmt::format(
         "the last level must be the whole family: {} codes at distance {}", size, min_hamming));
   }

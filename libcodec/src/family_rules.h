@@ -27,8 +27,12 @@ struct CodewordFault {
 /// O(n log n).
 std::optional<CodewordFault> find_codeword_fault(std::span<const Codeword> codewords, int bits);
 
+/// Throws std::invalid_argument unless the generator has the layout's bits, tags, and the levels of
+/// the family.
+void check_generator(const RotationCode& generator, int bits, std::span<const Level> levels);
+
 /// Throws std::invalid_argument unless the levels grow in size and fall in distance down to the
-/// whole family.
+/// whole family, and have no more plain tags than they add.
 void check_levels(std::span<const Level> levels, std::size_t size, int min_hamming);
 
 }  // namespace tagmint::codec

@@ -31,13 +31,14 @@ FamilyStats family_stats(const Family& family, int threads) {
   const int bits = family.bits();
   const std::size_t entries = static_cast<std::size_t>(bits) + 1;
   const Level all{family.size(), family.min_hamming()};
+  const std::vector<Codeword> codewords = first_codewords(family, family.size());
   const DistanceHistogram pairs =
-      pair_histograms(family.codewords(), bits, std::span(&all, 1), threads).front();
+      pair_histograms(codewords, bits, std::span(&all, 1), threads).front();
 
   FamilyStats stats;
   stats.distance_histogram.assign(pairs.begin(), pairs.begin() + bits + 1);
   stats.self_histogram.assign(entries, 0);
-  for (const Codeword word : family.codewords()) ++stats.self_histogram[self_distance(word, bits)];
+  for (const Codeword word : codewords) ++stats.self_histogram[self_distance(word, bits)];
   stats.min_hamming =
       std::min(first_used(stats.distance_histogram, bits), first_used(stats.self_histogram, bits));
   for (int errors = 0; errors <= bits / 2; ++errors) {

@@ -49,6 +49,22 @@ class RankedBits {
     return 64 * word + std::countr_zero(rest);
   }
 
+  /// Calls visit(place) for the ones with numbers begin .. end - 1, end <= ones(); none where begin
+  /// is not below end.
+  template <typename Visit>
+  void visit_ones(std::size_t begin, std::size_t end, const Visit& visit) const {
+    if (begin >= end) return;
+    const std::size_t first = select(begin);
+    std::size_t left = end - begin;
+    std::size_t word = first / 64;
+    std::uint64_t rest = words_[word] >> (first % 64) << (first % 64);
+    for (; left > 0; --left) {
+      while (rest == 0) rest = words_[++word];
+      visit(64 * word + std::countr_zero(rest));
+      rest &= rest - 1;
+    }
+  }
+
   /// Bytes of the bits and counts for so many bits, a multiple of 64.
   static std::size_t bytes(std::size_t bits) {
     const std::size_t words = bits / 64;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cassert>
 #include <mutex>
 #include <stdexcept>
@@ -56,6 +57,26 @@ Codeword TagIndex::codeword(TagId id) const {
   const std::size_t place =
       among < accepted ? own.tags.accepted.select(among) : own.tags.plain.select(among - accepted);
   return code_->word(own.places.address(place));
+}
+
+std::vector<Codeword> TagIndex::codewords(TagId first, std::size_t count) const {
+  assert(first + count <= code_->tags());
+  std::vector<Codeword> words;
+  words.reserve(count);
+  for (std::size_t number = 0; words.size() < count; ++number) {
+    const std::size_t wanted = first + words.size();
+    if (wanted >= code_->tags(number)) continue;
+    const Level& own = level(number);
+    std::size_t among = wanted - own.first_id;  // the next tag's number in the row to look at
+    for (const RankedBits* row : {&own.tags.accepted, &own.tags.plain}) {
+      const std::size_t end = std::min(row->ones(), among + count - words.size());
+      row->visit_ones(among, end, [&](std::size_t place) {
+        words.push_back(code_->word(own.places.address(place)));
+      });
+      among = std::max(among, row->ones()) - row->ones();
+    }
+  }
+  return words;
 }
 
 std::optional<TagIndex::Place> TagIndex::find(Codeword word) const {

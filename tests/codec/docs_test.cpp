@@ -36,6 +36,14 @@ TEST(Docs, TheFamilyFileOfTheFormatPageIsSoundAndJustAsItWouldBeWritten) {
   EXPECT_FALSE(check.violation) << check.violation->message;
 }
 
+TEST(Docs, TheGeneratedFamilyOfTheFormatPageIsSoundAndJustAsItWouldBeWritten) {
+  const std::string json = code_block("family-format.md", "json generated");
+  const Family family = parse_family(json, "docs/family-format.md");
+  EXPECT_FALSE(family.is_listed());
+  EXPECT_EQ(family_digest(family), family.declared_digest());
+  EXPECT_EQ(format_family(family), json);
+}
+
 TEST(Docs, TheDrawnWalksAreThoseOfTheLayouts) {
   for (const char* name : {"classic:8", "circle:9"}) {
     const Layout layout = parse_layout(name);

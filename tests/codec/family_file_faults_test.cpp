@@ -6,6 +6,7 @@
 #include <regex>
 #include <string>
 
+#include "support/generated_families.h"
 #include "tagmint/codec/errors.h"
 #include "tagmint/codec/family_file.h"
 #include "tagmint/codec/layout_presets.h"
@@ -206,10 +207,71 @@ TEST(FamilyFileFaults, Digest) {
   EXPECT_EQ(fault_of(file), "accepted");
 }
 
-TEST(FamilyFileFaults, GeneratedFamilies) {
-  const std::string file = with("\"codes\":[\n", "\"generator\":{\"basis\":[\n");
-  const std::string open = file.substr(0, file.rfind(']') + 1) + "}}";
-  expect_fault(open, "the codewords are given by a \"generator\"", "\"generator\"");
+/// The file of a generated family of 16 bits with `from` replaced by `to`.
+std::string generated_with(const std::string& from, const std::string& to) {
+  std::string text = format_family(Family(test::generated_16()));
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+TEST(FamilyFileFaults, Generators) {
+  EXPECT_EQ(fault_of(generated_with("\"sha256\"", "\"sha256\"")), "accepted");
+  expect_fault(generated_with("\"generator\":{", "\"codes\":[],\"generator\":{"),
+               "both \"codes\" and \"generator\" are given", "\"generator\"");
+  expect_fault(generated_with("\"basis\"", "\"base\""), "the generator has no \"basis\"",
+               "\"generator\"");
+  expect_fault(generated_with("0x0000000000005555", "0x5555"),
+               "\"generator.basis[]\" is \"0x5555\"", "\"0x5555\"");
+  expect_fault(generated_with("\"0x0000000000000007\"", "7"),
+               "\"generator.translation\" holds a number", "\"translation\"");
+  expect_fault(generated_with("0x0000000000005555", "0x0000000000005557"),
+               "level 0 is not closed under turns: the turn of basis word 0 (0x0000000000005557)",
+               "\"generator\"");
+  expect_fault(generated_with("0x0000000000005555", "0x0000000000015555"),
+               "basis word 0 (0x0000000000015555) has more than 16 bits", "\"generator\"");
+  expect_fault(generated_with("0x0000000000005555", "0x0000000000000000"),
+               "is a sum of those before it", "\"generator\"");
+  expect_fault(generated_with("0x000000000000157e", "0x0000000000001cdd"),
+               "cosets 14 and 15 are the same", "\"generator\"");
+  expect_fault(generated_with("\"dimension\":2,\"cosets\":4", "\"dimension\":2,\"cosets\":3"),
+               "level 0 is not closed under turns: the turn of coset 2", "\"generator\"");
+  expect_fault(generated_with("\"dimension\":2,", ""), "lacks \"dimension\"", "\"generator\"");
+  expect_fault(generated_with("\"cosets\":16", "\"cosets\":99999999999999999999"),
+               "\"generator.levels[].cosets\" holds", "99999");
+}
+
+TEST(FamilyFileFaults, LevelsOfGenerators) {
+  expect_fault(generated_with("\"codes\":4,", "\"codes\":5,"),
+               "level 0 has 5 codes, the generator makes 4", "\"generator\"");
+  expect_fault(generated_with("\"codes\":16,", "\"codes\":17,"),
+               "the last level must be the whole family: 16 codes at distance 5", "\"levels\"");
+  expect_fault(generated_with("{\"codes\":4,\"min_hamming\":6},", ""),
+               "the family has 1 levels, its generator 2", "\"generator\"");
+  expect_fault(generated_with("\"codes\":4,", "\"codes\":4,\"plain\":5,"),
+               "level 0 has 5 plain tags, but adds only 4 tags", "\"levels\"");
+  expect_fault(generated_with("\"codes\":4,", "\"codes\":4,\"plain\":-1,"),
+               "\"levels[].plain\" holds -1", "\"plain\"");
+  // Another family of as many bits.
+  std::string wide = generated_with("\"bits\":16", "\"bits\":25");
+  wide.replace(wide.find("    \"wwwwwwww\","), wide.find("  ],") - wide.find("    \"wwwwwwww\","),
+               "\"wwwwwwwww\",\"wbbbbbbbw\",\"wbdddddbw\",\"wbdddddbw\",\"wbdddddbw\","
+               "\"wbdddddbw\",\"wbdddddbw\",\"wbbbbbbbw\",\"wwwwwwwww\"");
+  expect_fault(wide, "level 0 is not closed under turns", "\"generator\"");
+}
+
+TEST(FamilyFileFaults, AnyByteOfAGeneratorMayBeBrokenWithoutACrash) {
+  const std::string file = format_family(Family(test::generated_16()));
+  for (std::size_t i = 0; i < file.size(); ++i) {
+    for (const char byte : {'"', '}', '[', '\n', '9', 'f'}) {
+      std::string broken = file;
+      broken[i] = byte;
+      EXPECT_EQ(fault_of(broken).find('\n'), std::string::npos);
+    }
+  }
+  for (std::size_t length = 0; length + 1 < file.size(); length += 7) {
+    EXPECT_NE(fault_of(file.substr(0, length)).find("this is not JSON"), std::string::npos);
+  }
 }
 
 }  // namespace

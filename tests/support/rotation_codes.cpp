@@ -64,7 +64,7 @@ RotationCodeParts chain_of_16_bits() {
 RotationCodeParts cosets_of_16_bits() {
   RotationCodeParts parts{
       .bits = 16, .basis = words("5555 8d8d"), .translation = 0x7, .levels = {{2, 4}, {2, 16}}};
-  parts.cosets = words("7 70 700 2555 1a9 1a90 248c 1d97 1de 1de0 6d9 38c5 63e 36b5 3e06 38bb");
+  parts.cosets = words("7 70 700 2555 bb bb0 368d 3d86 14a 14a0 1f54 2d99 2c4 2c40 1cda 1579");
   for (codec::Codeword& coset : parts.cosets) coset ^= parts.translation;
   return parts;
 }

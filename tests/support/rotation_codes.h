@@ -22,8 +22,7 @@ codec::RotationCodeParts coset_of_25_bits();
 /// 3 tags at distance 8, 28 at 6, 60 at 5, 120 at 4.
 codec::RotationCodeParts chain_of_16_bits();
 
-/// 16 tags at distance 6: the span of two words in 16 cosets, of which the first four are a level
-/// of 4 tags.
+/// 4 tags at distance 6, 16 at 5: the span of two words in 4 and in 16 cosets.
 codec::RotationCodeParts cosets_of_16_bits();
 
 }  // namespace tagmint::test

@@ -47,7 +47,7 @@ std::string addable_text(const codec::Family& family, codec::Codeword word) {
   const auto distance = [&](codec::Codeword code) {
     return codec::rotation_distance(word, code, family.bits());
   };
-  const auto codes = family.codewords();
+  const std::vector<codec::Codeword> codes = codec::first_codewords(family, family.size());
   const auto nearest = std::min_element(codes.begin(), codes.end(),
                                         [&](auto a, auto b) { return distance(a) < distance(b); });
   return fmt::format(

@@ -21,7 +21,7 @@ std::map<double, std::size_t> complexity_histogram(const codec::Family& family) 
       .rule = rectangles ? ComplexityRule::Rectangles : ComplexityRule::Energy, .threshold = 0.0};
   const codec::ComplexityJudge judge(family.layout(), measure);
   std::map<double, std::size_t> histogram;
-  for (const codec::Codeword word : family.codewords()) {
+  for (const codec::Codeword word : codec::first_codewords(family, family.size())) {
     const double value = judge.measure(word);
     ++histogram[rectangles ? value : std::floor(value * kEnergySteps) / kEnergySteps];
   }

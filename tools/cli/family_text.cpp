@@ -10,6 +10,7 @@ nlohmann::ordered_json family_summary_json(const codec::Family& family) {
   nlohmann::ordered_json levels = nlohmann::ordered_json::array();
   for (const codec::Level& level : family.levels()) {
     levels.push_back({{"codes", level.codes}, {"min_hamming", level.min_hamming}});
+    if (level.plain > 0) levels.back()["plain"] = level.plain;
   }
   return {{"name", family.name()},
           {"bits", family.bits()},

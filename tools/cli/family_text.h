@@ -8,7 +8,8 @@
 namespace tagmint::cli {
 
 /// The figures of a family that every JSON listing gives: name, bits, codes (a count), min_hamming,
-/// safe_radius, layout (its name), width_at_border and total_width in cells, levels.
+/// safe_radius, layout (its name), width_at_border and total_width in cells, levels (with "plain"
+/// where some of a level's own tags fail the complexity rule).
 nlohmann::ordered_json family_summary_json(const codec::Family& family);
 
 /// "60 at 16, 2016 at 12": the levels of a nested family; "-" where the family is one level.

@@ -33,7 +33,7 @@ class Proof {
         threads_(thread_count(options.threads)),
         crew_(options.crew ? options.crew(rules_for(family), options.threads)
                            : local_crew(rules_for(family), options.threads)) {
-    crew_->learn(family.codewords());
+    crew_->learn(first_codewords(family, family.size()));
   }
 
   Completeness by_tree();

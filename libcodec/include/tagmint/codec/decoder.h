@@ -95,7 +95,7 @@ class Decoder {
   int max_errors_ = 0;
   DecoderEngine engine_ = DecoderEngine::Auto;
   std::vector<TagId> chosen_ids_;           // sorted; empty = all ids of the family
-  std::vector<Codeword> chosen_codewords_;  // those of chosen_ids_
+  std::vector<Codeword> chosen_codewords_;  // those of chosen_ids_, or all of a generated family
   std::unique_ptr<const Lookup> lookup_;
 };
 

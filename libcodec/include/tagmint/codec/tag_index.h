@@ -35,6 +35,10 @@ class TagIndex {
   ///   cost   well below a microsecond; the first use of a level some nanoseconds an address of it
   Codeword codeword(TagId id) const;
 
+  /// The codewords of `count` ids from `first` on, all below code()->tags(). Cost: some nanoseconds
+  /// a codeword.
+  std::vector<Codeword> codewords(TagId first, std::size_t count) const;
+
   /// A word as a turn of a tag's codeword.
   struct Place {
     TagId id = 0;
