@@ -24,33 +24,6 @@ std::vector<TagId> checked_ids(const Family& family, std::vector<TagId> ids) {
   return ids;
 }
 
-DecoderEngine chosen_engine(DecoderEngine wanted, std::size_t codewords, int bits, int errors) {
-  const bool hash_can = errors <= kMostHashErrors;
-  if (wanted == DecoderEngine::Hash && !hash_can) {
-    throw std::invalid_argument(fmt::format(
-        "the hash table corrects at most {} bit errors, not {}; the chunk index corrects any",
-        kMostHashErrors, errors));
-  }
-  if (wanted != DecoderEngine::Auto) return wanted;
-  const bool hash_fits =
-      hash_can && hash_table_bytes(codewords, bits, errors) <= Decoder::kMaxTableBytes;
-  return hash_fits ? DecoderEngine::Hash : DecoderEngine::Chunks;
-}
-
-std::unique_ptr<const Decoder::Lookup> make_lookup(DecoderEngine engine, const TagList& tags,
-                                                   int errors) {
-  switch (engine) {
-    case DecoderEngine::BruteForce:
-      return make_brute_force_lookup(tags, errors);
-    case DecoderEngine::Hash:
-      return make_hash_lookup(tags, errors);
-    case DecoderEngine::Chunks:
-    case DecoderEngine::Auto:
-      break;
-  }
-  return make_chunk_lookup(tags, errors);
-}
-
 }  // namespace
 
 Decoder::Decoder(SharedFamily family, DecoderOptions options) : family_(std::move(family)) {
@@ -58,13 +31,8 @@ Decoder::Decoder(SharedFamily family, DecoderOptions options) : family_(std::mov
   chosen_ids_ = checked_ids(*family_, std::move(options.ids));
   min_hamming_ = distance_of_ids(*family_, chosen_ids_, 1);
   max_errors_ = checked_errors(options);
-  for (const TagId id : chosen_ids_) chosen_codewords_.push_back(family_->codeword(id));
-  if (chosen_ids_.empty() && !family_->is_listed()) {
-    chosen_codewords_ = first_codewords(*family_, family_->size());
-  }
-  const TagList tags{codewords(), chosen_ids_, family_->bits()};
-  engine_ = chosen_engine(options.engine, tags.codewords.size(), tags.bits, max_errors_);
-  lookup_ = make_lookup(engine_, tags, max_errors_);
+  engine_ = chosen_engine(options.engine);
+  lookup_ = make_lookup();
 }
 
 Decoder::~Decoder() = default;
@@ -90,9 +58,60 @@ int Decoder::checked_errors(const DecoderOptions& options) const {
   return errors;
 }
 
-std::span<const Codeword> Decoder::codewords() const {
-  return chosen_codewords_.empty() ? family_->codewords()
-                                   : std::span<const Codeword>(chosen_codewords_);
+std::size_t Decoder::id_count() const {
+  return chosen_ids_.empty() ? family_->size() : chosen_ids_.size();
+}
+
+std::size_t Decoder::level() const {
+  return chosen_ids_.empty() ? family_->levels().size() - 1
+                             : level_of_id(*family_, chosen_ids_.back());
+}
+
+DecoderEngine Decoder::chosen_engine(DecoderEngine wanted) const {
+  const bool hash_can = max_errors_ <= kMostHashErrors;
+  if (wanted == DecoderEngine::Hash && !hash_can) {
+    throw std::invalid_argument(fmt::format(
+        "the hash table corrects at most {} bit errors, not {}; the chunk index corrects any",
+        kMostHashErrors, max_errors_));
+  }
+  if (wanted == DecoderEngine::InformationSets && family_->is_listed()) {
+    throw std::invalid_argument(fmt::format(
+        "{} lists its codewords; information sets decode families that have a generator",
+        family_->name()));
+  }
+  if (wanted != DecoderEngine::Auto) return wanted;
+  // A few ids of a level may be far apart. Beyond the level's own safe radius its other tags would
+  // be found again and again.
+  const Level& held_by = family_->levels()[level()];
+  const bool few = id_count() < held_by.codes && id_count() <= kMostComparedIds;
+  if (!family_->is_listed() && !(few && max_errors_ > (held_by.min_hamming - 1) / 2)) {
+    return DecoderEngine::InformationSets;
+  }
+  const bool hash_fits = hash_can && codec::hash_table_bytes(id_count(), family_->bits(),
+                                                             max_errors_) <= kMaxTableBytes;
+  return hash_fits ? DecoderEngine::Hash : DecoderEngine::Chunks;
+}
+
+std::unique_ptr<const Decoder::Lookup> Decoder::make_lookup() {
+  if (engine_ == DecoderEngine::InformationSets) {
+    const bool whole_level = id_count() == family_->levels()[level()].codes;
+    if (whole_level) return make_information_set_lookup(family_->index(), level(), {}, max_errors_);
+    return make_information_set_lookup(family_->index(), level(), chosen_ids_, max_errors_);
+  }
+  for (const TagId id : chosen_ids_) listed_codewords_.push_back(family_->codeword(id));
+  if (chosen_ids_.empty() && !family_->is_listed()) {
+    listed_codewords_ = first_codewords(*family_, family_->size());
+  }
+  const TagList tags{listed_codewords_.empty() ? family_->codewords() : listed_codewords_,
+                     chosen_ids_, family_->bits()};
+  switch (engine_) {
+    case DecoderEngine::BruteForce:
+      return make_brute_force_lookup(tags, max_errors_);
+    case DecoderEngine::Hash:
+      return make_hash_lookup(tags, max_errors_);
+    default:
+      return make_chunk_lookup(tags, max_errors_);
+  }
 }
 
 std::optional<Match> Decoder::decode(Codeword observed) const { return lookup_->decode(observed); }

@@ -11,6 +11,7 @@
 #include <tuple>
 #include <vector>
 
+#include "support/generated_families.h"
 #include "tagmint/codec/builtin_families.h"
 #include "tagmint/codec/id_distance.h"
 #include "tagmint/codec/layout_presets.h"
@@ -119,6 +120,16 @@ TEST(Decoder, CorrectsUpToTheSafeRadiusOfLargeFamilies) {
     const int turns = static_cast<int>(random() % 4);
     ASSERT_EQ(decoder.decode(rotate(damaged, 52, 4 - turns)), (Match{id, errors, turns}));
   }
+}
+
+/// What the constructor says against these options.
+std::string refusal_of(const SharedFamily& family, const DecoderOptions& options) {
+  try {
+    const Decoder decoder(family, options);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "accepted";
 }
 
 /// Random words, and words a few bits away from some turn of a tag.
@@ -282,13 +293,73 @@ TEST(Decoder, CorrectsTwoErrorsOrTheSafeRadiusUnlessTold) {
   EXPECT_EQ(Decoder(family).max_errors(), 1);
 }
 
-std::string refusal_of(const SharedFamily& family, const DecoderOptions& options) {
-  try {
-    const Decoder decoder(family, options);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
+TEST(Decoder, AllEnginesReadGeneratedFamiliesAlike) {
+  const auto family = std::make_shared<const Family>(test::generated_36());
+  const auto list = std::make_shared<const Family>(test::listed(*family));
+  for (const auto& [ids, radius] : {std::pair{60U, 7}, std::pair{2016U, 5}, std::pair{0U, 3}}) {
+    DecoderOptions options;
+    for (TagId id = 0; id < ids; ++id) options.ids.push_back(id);
+    options.max_errors = radius;
+    const Decoder listed(list, options);
+    options.engine = DecoderEngine::Chunks;
+    const Decoder chunks(family, options);
+    options.engine = DecoderEngine::InformationSets;
+    const Decoder sets(family, options);
+    for (const Codeword word : probe_words(*family, 2000, 11)) {
+      ASSERT_EQ(sets.decode(word), listed.decode(word)) << ids << " " << to_hex(word);
+      ASSERT_EQ(chunks.decode(word), listed.decode(word)) << ids << " " << to_hex(word);
+    }
+    options.max_errors = std::min(radius, 2);
+    options.engine = DecoderEngine::Hash;
+    if (ids == 0) continue;  // a quarter of a gigabyte
+    const Decoder hash(family, options);
+    for (const Codeword word : probe_words(*family, 2000, 12)) {
+      const auto match = sets.decode(word);
+      ASSERT_EQ(hash.decode(word), match && match->hamming <= 2 ? match : std::nullopt);
+    }
   }
-  return "accepted";
+}
+
+TEST(Decoder, ALevelsIdsAreReadUpToTheLevelsSafeRadius) {
+  const auto family = std::make_shared<const Family>(test::generated_36());
+  DecoderOptions options;
+  for (TagId id = 0; id < 60; ++id) options.ids.push_back(id);
+  options.max_errors = 7;
+  const Decoder decoder(family, options);
+  EXPECT_EQ(decoder.engine(), DecoderEngine::InformationSets);
+  EXPECT_EQ(decoder.min_hamming(), 16);
+  for (TagId id = 0; id < 60; ++id) {
+    EXPECT_EQ(decoder.decode(family->codeword(id) ^ 0x900a00811), (Match{id, 7, 0}));
+  }
+  EXPECT_EQ(decoder.decode(family->codeword(60)), std::nullopt);
+  EXPECT_EQ(refusal_of(family, with(DecoderEngine::Auto, 7)),
+            "7 bit errors are more than generated36 corrects safely; with its distance 8, at most "
+            "3 are, unless an unsafe radius is allowed");
+}
+
+TEST(Decoder, ListsAFewIdsOfALevelThatAreFartherApartThanTheLevel) {
+  const auto family = std::make_shared<const Family>(test::generated_36());
+  DecoderOptions options;
+  for (TagId id = 70000; id < 130816 && options.ids.size() < 4; id += 7) {
+    options.ids.push_back(id);
+    if (distance_of_ids(*family, options.ids) < 14) options.ids.pop_back();
+  }
+  ASSERT_EQ(options.ids.size(), 4U);
+  EXPECT_EQ(Decoder(family, options).engine(), DecoderEngine::InformationSets);
+  options.max_errors = 6;
+  const Decoder decoder(family, options);
+  EXPECT_EQ(decoder.engine(), DecoderEngine::Chunks);
+  for (const TagId id : options.ids) {
+    EXPECT_EQ(decoder.decode(family->codeword(id) ^ 0x3f), (Match{id, 6, 0}));
+  }
+}
+
+TEST(Decoder, AGeneratedFamilyTakesLittleMemory) {
+  const auto family = std::make_shared<const Family>(test::generated_36());
+  const Decoder decoder(family);
+  EXPECT_EQ(decoder.engine(), DecoderEngine::InformationSets);
+  EXPECT_EQ(decoder.max_errors(), 2);
+  EXPECT_LT(decoder.table_bytes(), 1U << 20);
 }
 
 TEST(Decoder, ImpossibleOptionsAreNamed) {
@@ -304,6 +375,8 @@ TEST(Decoder, ImpossibleOptionsAreNamed) {
   EXPECT_EQ(refusal_of(family, with(DecoderEngine::Auto, 6, true)), "accepted");
   EXPECT_EQ(refusal_of(family, with(DecoderEngine::Hash, 3)),
             "the hash table corrects at most 2 bit errors, not 3; the chunk index corrects any");
+  EXPECT_EQ(refusal_of(family, with(DecoderEngine::InformationSets, 2)),
+            "tag36h11 lists its codewords; information sets decode families that have a generator");
   DecoderOptions options = with(DecoderEngine::Auto, 8);
   options.ids = {5, 40};
   EXPECT_EQ(refusal_of(family, options),

@@ -2,12 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "support/addable_word.h"
+#include "support/generated_families.h"
 #include "support/scratch_folder.h"
 #include "support/tagmint_program.h"
 #include "tagmint/codec/builtin_families.h"
@@ -129,6 +131,21 @@ TEST(Info, LookupMemoryIsThatOfTheDecoders) {
     ++rows;
   }
   EXPECT_EQ(rows, 3U + 5U);  // hash for 0 to 2 errors, chunks for 0 to 4
+}
+
+TEST(Info, LookupMemoryOfGeneratedFamiliesIsThatOfInformationSets) {
+  const ScratchFolder folder;
+  const auto family = std::make_shared<const codec::Family>(generated_25());
+  codec::write_family(*family, folder.file("coset.json"));
+  const Json json =
+      Json::parse(tagmint({"info", folder.file("coset.json"), "--format", "json"}).out);
+  ASSERT_EQ(json.at("lookup").size(), 5U);  // for 0 to 4 errors
+  for (const Json& row : json.at("lookup")) {
+    codec::DecoderOptions options;
+    options.max_errors = row.at("max_errors").get<int>();
+    EXPECT_EQ(row.at("engine"), "information-sets");
+    EXPECT_EQ(row.at("bytes"), codec::Decoder(family, options).table_bytes());
+  }
 }
 
 TEST(Info, TextNamesEverySection) {

@@ -9,8 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/images.h"
-#include "support/level_family.h"
-#include "support/rotation_codes.h"
+#include "support/generated_families.h"
 #include "support/scratch_folder.h"
 #include "support/tagmint_program.h"
 #include "tagmint/codec/family_file.h"
@@ -189,13 +188,12 @@ TEST(DetectProgram, LooksForTheIdsThatWereAskedFor) {
 TEST(DetectProgram, TheIdsInUseDecideTheSafeRadius) {
   const ScratchFolder folder;
   const std::string path = folder.file("levels.json");
-  const codec::SharedFamily family =
-      listed_family(chain_of_36_bits(), "classic:10", std::array{16, 12});
-  codec::write_family(*family, path);
+  const codec::Family family(generated_36());
+  codec::write_family(family, path);
   // Pictures of tags with seven wrong cells each.
-  codec::FamilyParts damaged{"damaged", family->layout(), 1, {}, {}, {}, {}};
+  codec::FamilyParts damaged{"damaged", family.layout(), 1, {}, {}, {}, {}};
   for (const codec::TagId id : {7U, 59U}) {
-    damaged.codewords.push_back(family->codeword(id) ^ 0x900a00811);
+    damaged.codewords.push_back(family.codeword(id) ^ 0x900a00811);
   }
   codec::write_family(codec::Family(damaged), folder.file("damaged.json"));
   render(folder, "a", {folder.file("damaged.json"), "--count", "2", "--min-side", "60"});
@@ -210,8 +208,8 @@ TEST(DetectProgram, TheIdsInUseDecideTheSafeRadius) {
   EXPECT_EQ(found[0].at("hamming"), 7);
   EXPECT_EQ(found[1].at("hamming"), 7);
   expect_fault({"detect", "--family", path, "--max-hamming", "7", image}, 2,
-               "7 bit errors are more than the 5 that listed corrects safely with distance 12 "
-               "(--max-hamming); ask for 0 to 5, or add --unsafe-radius");
+               "7 bit errors are more than the 3 that generated36 corrects safely with distance 8 "
+               "(--max-hamming); ask for 0 to 3, or add --unsafe-radius");
 }
 
 TEST(DetectProgram, StatsGoToStderr) {

@@ -1,14 +1,12 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <array>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "cli/cell_picture.h"
-#include "support/level_family.h"
-#include "support/rotation_codes.h"
+#include "support/generated_families.h"
 #include "support/scratch_folder.h"
 #include "support/tagmint_program.h"
 #include "tagmint/codec/builtin_families.h"
@@ -108,27 +106,26 @@ TEST(Decode, RadiusAboveTheSafeOneNeedsTheUsersWord) {
 
 TEST(Decode, TheIdsInUseDecideTheSafeRadius) {
   const ScratchFolder folder;
-  const std::string path = folder.file("levels.json");
-  const codec::SharedFamily family =
-      listed_family(chain_of_36_bits(), "classic:10", std::array{16, 12});
-  ASSERT_EQ(family->levels()[0], (codec::Level{60, 16}));
-  ASSERT_EQ(family->levels()[1], (codec::Level{2016, 12}));
-  codec::write_family(*family, path);
-  const std::string seven_errors = codec::to_hex(family->codeword(59) ^ 0x111111100);
-  // A level, a part of it, and the whole.
-  for (const std::string ids : {"0-59", "3,59"}) {
-    const ProgramResult result =
-        tagmint({"decode", path, seven_errors, "--ids", ids, "--max-hamming", "7"});
-    EXPECT_EQ(result.exit_code, 0) << result.err;
-    EXPECT_EQ(result.out, seven_errors + " id 59 hamming 7 rotation 0\n");
+  const codec::Family generated(generated_36());
+  for (const codec::Family& family : {generated, listed(generated)}) {
+    const std::string path = folder.file("levels.json");
+    codec::write_family(family, path);
+    const std::string seven_errors = codec::to_hex(family.codeword(59) ^ 0x111111100);
+    // A level of 60 tags at distance 16, and a part of it.
+    for (const std::string ids : {"0-59", "3,59"}) {
+      const ProgramResult result =
+          tagmint({"decode", path, seven_errors, "--ids", ids, "--max-hamming", "7"});
+      EXPECT_EQ(result.exit_code, 0) << result.err;
+      EXPECT_EQ(result.out, seven_errors + " id 59 hamming 7 rotation 0\n");
+    }
+    EXPECT_EQ(tagmint({"decode", path, seven_errors, "--ids", "0-58"}).exit_code, 1);
+    expect_fault({"decode", path, "0", "--max-hamming", "7"}, 2,
+                 "7 bit errors are more than the 3 that generated36 corrects safely with distance "
+                 "8 (--max-hamming); ask for 0 to 3, or add --unsafe-radius");
+    expect_fault({"decode", path, "0", "--max-hamming", "8", "--ids", "0-59"}, 2,
+                 "8 bit errors are more than the 7 that ids 0-59 of generated36 correct safely "
+                 "with distance 16 (--max-hamming); ask for 0 to 7, or add --unsafe-radius");
   }
-  EXPECT_EQ(tagmint({"decode", path, seven_errors, "--ids", "0-58"}).exit_code, 1);
-  expect_fault({"decode", path, "0", "--max-hamming", "7"}, 2,
-               "7 bit errors are more than the 5 that listed corrects safely with distance 12 "
-               "(--max-hamming); ask for 0 to 5, or add --unsafe-radius");
-  expect_fault({"decode", path, "0", "--max-hamming", "8", "--ids", "0-59"}, 2,
-               "8 bit errors are more than the 7 that ids 0-59 of listed correct safely with "
-               "distance 16 (--max-hamming); ask for 0 to 7, or add --unsafe-radius");
 }
 
 TEST(Decode, RadiusBeyondAllBitsIsNamedWithItsOption) {

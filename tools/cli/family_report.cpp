@@ -30,22 +30,27 @@ std::map<double, std::size_t> complexity_histogram(const codec::Family& family) 
 
 constexpr int kMostHashErrors = 2;
 
-std::size_t chunk_bytes(const codec::SharedFamily& family, int max_errors) {
+LookupMemory memory_of(const codec::SharedFamily& family, DecoderEngine engine, int max_errors) {
   codec::DecoderOptions options;
   options.max_errors = max_errors;
-  options.engine = DecoderEngine::Chunks;
-  return codec::Decoder(family, options).table_bytes();
+  options.engine = engine;
+  return {engine, max_errors, codec::Decoder(family, options).table_bytes()};
 }
 
-/// The hash tables are reckoned, not built: those of a large family would fill the memory.
+/// Of generated families the engine that needs no list. The hash tables of listed ones are
+/// reckoned, not built: those of a large family would fill the memory.
 std::vector<LookupMemory> lookup_memory(const codec::SharedFamily& family) {
   std::vector<LookupMemory> all;
   for (int radius = 0; radius <= family->max_safe_errors(); ++radius) {
+    if (!family->is_listed()) {
+      all.push_back(memory_of(family, DecoderEngine::InformationSets, radius));
+      continue;
+    }
     if (radius <= kMostHashErrors) {
       all.push_back(
           {DecoderEngine::Hash, radius, codec::Decoder::hash_table_bytes(*family, radius)});
     }
-    all.push_back({DecoderEngine::Chunks, radius, chunk_bytes(family, radius)});
+    all.push_back(memory_of(family, DecoderEngine::Chunks, radius));
   }
   return all;
 }
@@ -72,6 +77,8 @@ std::string engine_name(DecoderEngine engine) {
       return "hash";
     case DecoderEngine::Chunks:
       return "chunks";
+    case DecoderEngine::InformationSets:
+      return "information-sets";
     case DecoderEngine::Auto:
       break;
   }

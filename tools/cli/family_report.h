@@ -37,7 +37,7 @@ FamilyReport make_family_report(codec::SharedFamily family, int threads);
 std::string family_report_text(const FamilyReport& report);
 std::string family_report_json(const FamilyReport& report);
 
-/// "brute-force", "hash", "chunks".
+/// "brute-force", "hash", "chunks", "information-sets".
 std::string engine_name(codec::DecoderEngine engine);
 
 }  // namespace tagmint::cli

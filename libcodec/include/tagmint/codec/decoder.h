@@ -22,11 +22,16 @@ struct Match {
 
 /// How a decoder looks words up. All give the same answers.
 enum class DecoderEngine {
-  Auto,        ///< Hash while max_errors <= 2 and its table fits in kMaxTableBytes, else Chunks
+  /// InformationSets for the codes of a generator, up to the safe radius of the smallest level that
+  /// holds the ids, and where there are too many ids to list; else Hash while max_errors <= 2 and
+  /// its table fits in kMaxTableBytes; else Chunks.
+  Auto,
   BruteForce,  ///< compare with every codeword: the reference, no tables
   Hash,  ///< all words within max_errors (at most 2) of a codeword in a hash table [WangOlson2016,
          ///< III-E]
   Chunks,  ///< max_errors + 1 chunks, of which one must be intact: small tables, any radius
+  InformationSets,  ///< of generated families only: the words of the generator's code near the
+                    ///< observed one are found without a list of them, at any radius
 };
 
 struct DecoderOptions {
@@ -49,9 +54,10 @@ class Decoder {
 
   /// Throws std::invalid_argument when family is null, max_errors is negative, above the safe
   /// radius of the ids without allow_unsafe_radius, above the bits of a word, or above 2 for the
-  /// Hash engine, or an id is not in the family. An id given twice counts once.
+  /// Hash engine, an id is not in the family, or a listed family is to be decoded by information
+  /// sets. An id given twice counts once.
   ///   cost   Hash: ids * (words within max_errors) table entries, some 50 million a second; for
-  ///   chosen ids that of distance_of_ids() on one thread
+  ///   chosen ids that of distance_of_ids() on one thread; InformationSets: below a millisecond
   explicit Decoder(SharedFamily family, DecoderOptions options = {});
   ~Decoder();
   Decoder(Decoder&&) noexcept;
@@ -61,7 +67,8 @@ class Decoder {
   /// other tag is as near. Of several turns of the same tag that are equally near, the fewest.
   ///   observed   layout().bits() low bits, the rest zero
   ///   cost       Hash: four table look-ups; Chunks: 4 * (max_errors + 1) short lists; BruteForce:
-  ///   4 * ids compares
+  ///   4 * ids compares; InformationSets: some compares, 26 for 16.8 million words of 48 bits at
+  ///   radius 2, 602 at radius 5
   ///   errors     none; safe to call from many threads at once
   std::optional<Match> decode(Codeword observed) const;
 
@@ -87,15 +94,20 @@ class Decoder {
  private:
   /// Throws as the constructor does.
   int checked_errors(const DecoderOptions& options) const;
-  /// The codewords to recognise; by place, their ids.
-  std::span<const Codeword> codewords() const;
+  DecoderEngine chosen_engine(DecoderEngine wanted) const;
+  /// The smallest level that holds the ids to recognise; an index in family_->levels().
+  std::size_t level() const;
+  /// How many ids there are to recognise.
+  std::size_t id_count() const;
+  std::unique_ptr<const Lookup> make_lookup();
 
   SharedFamily family_;
   int min_hamming_ = 0;
   int max_errors_ = 0;
   DecoderEngine engine_ = DecoderEngine::Auto;
   std::vector<TagId> chosen_ids_;           // sorted; empty = all ids of the family
-  std::vector<Codeword> chosen_codewords_;  // those of chosen_ids_, or all of a generated family
+  std::vector<Codeword> listed_codewords_;  // of those ids, where an engine needs a list that the
+                                            // family has not
   std::unique_ptr<const Lookup> lookup_;
 };
 
