@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -57,6 +58,26 @@ std::vector<Codeword> some_codewords(const Family& family, TagId first, std::siz
 
 std::vector<Codeword> first_codewords(const Family& family, std::size_t count) {
   return some_codewords(family, 0, count);
+}
+
+Family first_tags(const Family& family, std::size_t codes) {
+  assert(codes >= 1 && codes <= family.size());
+  FamilyParts parts{.name = family.name(),
+                    .layout = family.layout(),
+                    .min_hamming = 0,
+                    .codewords = first_codewords(family, codes),
+                    .complexity = family.complexity(),
+                    .origin = family.origin(),
+                    .levels = {}};
+  for (Level level : family.levels()) {
+    const std::size_t first_plain = level.codes - level.plain;
+    level.codes = std::min(level.codes, codes);
+    level.plain = level.codes - std::min(level.codes, first_plain);
+    parts.levels.push_back(level);
+    if (level.codes == codes) break;
+  }
+  parts.min_hamming = parts.levels.back().min_hamming;
+  return Family(std::move(parts));
 }
 
 }  // namespace tagmint::codec

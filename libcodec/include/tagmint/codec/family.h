@@ -115,4 +115,8 @@ std::vector<Codeword> some_codewords(const Family& family, TagId first, std::siz
 /// The codewords of the first ids, at most `count` of them, in id order.
 std::vector<Codeword> first_codewords(const Family& family, std::size_t count);
 
+/// The first `codes` tags as a family of listed codewords, with the levels that they reach into.
+///   codes   1 to family.size()
+Family first_tags(const Family& family, std::size_t codes);
+
 }  // namespace tagmint::codec

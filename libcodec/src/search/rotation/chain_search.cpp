@@ -1,0 +1,125 @@
+#include "search/rotation/chain_search.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "echelon.h"
+#include "search/rotation/code_climb.h"
+
+namespace tagmint::codec {
+namespace {
+
+/// Whether 4, 2 or 1 divides all weights of the code. The weight of a sum is that of its terms less
+/// twice their common bits, so for 4 any two words of a basis must have an even number in common.
+bool divides_weights(int divisor, const TurnCode& code) {
+  const auto basis = code.basis();
+  for (std::size_t i = 0; i < basis.size(); ++i) {
+    if (std::popcount(basis[i]) % divisor != 0) return false;
+    if (divisor < 4) continue;
+    for (std::size_t j = 0; j < i; ++j) {
+      if (std::popcount(basis[i] & basis[j]) % 2 != 0) return false;
+    }
+  }
+  return true;
+}
+
+bool contains(const TurnCode& outer, const TurnCode& inner) {
+  return std::all_of(inner.rows().begin(), inner.rows().end(),
+                     [&](Codeword word) { return outer.contains(word); });
+}
+
+/// `outer` as a code whose basis begins with that of `inner`.
+TurnCode on_top_of(const TurnCode& inner, const TurnCode& outer) {
+  TurnCode code = inner;
+  code.adjoin(outer.basis());
+  return code;
+}
+
+/// What the known codes say about one level.
+struct LevelFrame {
+  TurnCode start;
+  const TurnCode* inside = nullptr;
+};
+
+LevelFrame frame_of(const TurnCode& floor, int distance, const KnownChain* known) {
+  LevelFrame frame{floor, nullptr};
+  if (known == nullptr) return frame;
+  for (const KnownCode& code : known->codes) {
+    if (!contains(code.code, floor)) continue;
+    if (code.distance >= distance) {
+      frame.start = on_top_of(floor, code.code);
+    } else {
+      frame.inside = &code.code;
+      break;
+    }
+  }
+  return frame;
+}
+
+TurnCode search_level(const TurnCode& floor, int distance, LevelFrame frame, const Effort& effort,
+                      RandomChoice& random) {
+  TurnCode best = frame.start;
+  for (const int divisor : {4, 2, 1}) {
+    if (!divides_weights(divisor, floor)) continue;
+    ClimbRules rules;
+    rules.weights = {(distance + divisor - 1) / divisor * divisor, divisor};
+    rules.inside = frame.inside;
+    WorkBudget budget({effort.words / 3, effort.stop});
+    const TurnCode& start = divides_weights(divisor, best) ? best : floor;
+    TurnCode code = climb_far(floor, start, rules, random, budget);
+    if (code.dimension() > best.dimension()) best = std::move(code);
+  }
+  return best;
+}
+
+}  // namespace
+
+double tags_of(const TurnCode& code) {
+  // A half turn less 1 maps the code to a code; what it maps to 0 are the words that it keeps.
+  Echelon changes;
+  for (const Codeword word : code.rows()) {
+    changes.take(word ^ rotate(word, code.bits(), 2));
+  }
+  return (std::ldexp(1.0, code.dimension()) - std::ldexp(1.0, code.dimension() - changes.rank())) /
+         4.0;
+}
+
+double value_of(const CodeChain& chain) {
+  double value = 0;
+  for (const CodeChain::Level& level : chain.levels) {
+    const double tags = tags_of(level.code);
+    if (tags > 0) value += std::log2(tags);
+  }
+  return value;
+}
+
+CodeChain search_chain(int bits, std::span<const int> distances, const KnownChain* known,
+                       const Effort& effort, RandomChoice& random) {
+  CodeChain chain;
+  chain.construction = known != nullptr ? known->name : "quasi-cyclic search";
+  TurnCode floor(bits);
+  for (const int distance : distances) {
+    floor = search_level(floor, distance, frame_of(floor, distance, known), effort, random);
+    chain.levels.push_back({floor, distance});
+  }
+  return chain;
+}
+
+CodeChain search_inside(const CodeChain::Level& whole, std::span<const int> distances,
+                        const Effort& effort, RandomChoice& random) {
+  CodeChain chain;
+  TurnCode floor(whole.code.bits());
+  for (const int distance : distances) {
+    TurnCode code = search_level(floor, distance, {floor, &whole.code}, effort, random);
+    if (tags_of(code) < std::max(2.0 * tags_of(floor), 2.0)) continue;
+    floor = std::move(code);
+    chain.levels.push_back({floor, distance});
+  }
+  chain.levels.push_back({on_top_of(floor, whole.code), whole.distance});
+  return chain;
+}
+
+}  // namespace tagmint::codec
