@@ -203,8 +203,12 @@ TEST(Generate, MisspeltRulesAndOrdersAreTold) {
 }
 
 TEST(Generate, WhatThisVersionLacksIsRefusedInWords) {
-  expect_fault(quick({"--method", "rotation-code"}), 2,
-               "the method rotation-code is not part of this version (--method); use lexicode");
+  expect_fault(quick({"--levels", "8"}), 2,
+               "--method lexicode has no --levels (--levels); leave it out, or choose the other "
+               "method");
+  expect_fault(quick({"--method", "rotation-code", "--time-limit", "1s"}), 2,
+               "--method rotation-code has no --time-limit (--time-limit); leave it out, or choose "
+               "the other method");
   expect_fault(quick({"--resume"}), 2,
                "nothing says where to go on from (--resume); give --checkpoint FILE too");
 }

@@ -9,6 +9,7 @@
 
 #include "cli/duration.h"
 #include "cli/generate_plan.h"
+#include "cli/generate_rotation_code.h"
 #include "cli/number.h"
 #include "cli/options.h"
 #include "cli/output.h"
@@ -32,6 +33,8 @@ struct Options {
   std::string complexity;
   std::string order;
   int attempts = 1;
+  std::string levels;
+  std::string codes;
   std::string limit_codes;
   std::string limit_words;
   std::string time_limit;
@@ -41,15 +44,21 @@ struct Options {
   std::string output;
 };
 
-/// The search that the options ask for; every fault of an option is told before it starts.
-LexicodeOptions plan_search(const Options& options, const Common& common) {
-  const codec::Layout layout = parse_option(
+/// The layout, which must have room for the distance.
+codec::Layout plan_layout(const Options& options) {
+  codec::Layout layout = parse_option(
       [](std::string_view text) { return codec::parse_layout(text); }, options.layout, "--layout");
   if (options.min_hamming > layout.bits()) {
     throw UsageError(fmt::format("distance {} is not possible with the layout's {} bits",
                                  options.min_hamming, layout.bits()),
                      "--min-hamming", fmt::format("ask for 1 to {}", layout.bits()));
   }
+  return layout;
+}
+
+/// The search that the options ask for; every fault of an option is told before it starts.
+LexicodeOptions plan_search(const Options& options, const Common& common) {
+  const codec::Layout layout = plan_layout(options);
   LexicodeOptions search{.layout = layout,
                          .min_hamming = options.min_hamming,
                          .order = default_order(layout),
@@ -78,10 +87,10 @@ LexicodeOptions plan_search(const Options& options, const Common& common) {
 }
 
 /// A name that no family may have is told before the search, not after it.
-void require_family_name(const std::string& name, const LexicodeOptions& search) {
+void require_family_name(const std::string& name, const codec::Layout& layout) {
   if (name.empty()) return;
   try {
-    codec::Family({name, search.layout, search.min_hamming, {codec::Codeword{0}}, {}, {}, {}});
+    codec::Family({name, layout, 1, {codec::Codeword{0}}, {}, {}, {}});
   } catch (const std::invalid_argument& complaint) {
     throw usage_error(complaint, "--name");
   }
@@ -111,13 +120,43 @@ void require_two_files(const Options& options) {
                    "give it another name than --output");
 }
 
-int run(const Options& options, const Common& common) {
-  if (options.method != "lexicode") {
-    throw UsageError(fmt::format("the method {} is not part of this version", options.method),
-                     "--method", "use lexicode");
+/// Options that only the other method has.
+void refuse_options(const std::string& method,
+                    std::initializer_list<std::pair<std::string, bool>> given) {
+  for (const auto& [option, is_given] : given) {
+    if (!is_given) continue;
+    throw UsageError(fmt::format("--method {} has no {}", method, option), option,
+                     "leave it out, or choose the other method");
   }
+}
+
+int run_rotation_code(const Options& options, const Common& common) {
+  refuse_options(options.method, {{"--limit-codes", !options.limit_codes.empty()},
+                                  {"--limit-words", !options.limit_words.empty()},
+                                  {"--time-limit", !options.time_limit.empty()},
+                                  {"--checkpoint", !options.checkpoint.empty()},
+                                  {"--resume", options.resume}});
+  const codec::Layout layout = plan_layout(options);
+  require_family_name(options.name, layout);
+  require_family_file(options.output);
+  return generate_rotation_code({.layout = layout,
+                                 .min_hamming = options.min_hamming,
+                                 .levels = options.levels,
+                                 .codes = options.codes,
+                                 .complexity = options.complexity,
+                                 .order = options.order,
+                                 .attempts = options.attempts,
+                                 .name = options.name,
+                                 .output = options.output},
+                                common);
+}
+
+int run(const Options& options, const Common& common) {
+  if (options.method == "rotation-code") return run_rotation_code(options, common);
+  refuse_options(options.method,
+                 {{"--levels", !options.levels.empty()}, {"--codes", !options.codes.empty()}});
   const LexicodeOptions search = plan_search(options, common);
-  require_family_name(options.name, search);
+  require_family_name(options.name, search.layout);
   require_family_file(options.output);
   if (options.resume && options.checkpoint.empty()) {
     throw UsageError("nothing says where to go on from", "--resume", "give --checkpoint FILE too");
@@ -153,21 +192,24 @@ int run(const Options& options, const Common& common) {
 
 Runner set_up(CLI::App& app, const Common& common) {
   app.description(
-      "The tags are H bits apart in every rotation. What is found does not depend on threads or "
-      "interruptions. Memory: up to 1 GB, 20 MB a thread; the first phase goes on until the rest "
-      "fits.");
+      "The tags are H bits apart in every rotation, whatever the threads and interruptions. "
+      "Memory: "
+      "up to 1 GB and 20 MB a thread.");
   auto options = std::make_shared<Options>();
   app.add_option("--layout", options->layout, "classic:W, standard:W, circle:W or custom:ROWS")
       ->required()
       ->type_name("LAYOUT");
-  app.add_option("--min-hamming", options->min_hamming,
-                 "least distance between any two tags in any rotation, in bits")
+  app.add_option("--min-hamming", options->min_hamming, "least distance of tags in any rotation")
       ->required()
       ->type_name("H")
       ->default_str("")
       ->check(CLI::Range(1, codec::kMaxBits));
-  add_choice(app, "--method", options->method, {"lexicode", "rotation-code"}, "how to search")
-      ->type_name("lexicode");  // rotation-code is refused below
+  add_choice(app, "--method", options->method, {"lexicode", "rotation-code"},
+             "rotation-code: more tags");
+  app.add_option("--levels", options->levels, "rotation-code: distances of inner levels")
+      ->type_name("H1,H2");
+  app.add_option("--codes", options->codes, "rotation-code: keep the first N codes")
+      ->type_name("N");
   app.add_option("--complexity", options->complexity, "keep plain patterns out")
       ->type_name("rectangles:N|energy:F|none")
       ->default_str("classic: as published; else energy:0.3333");
@@ -200,8 +242,8 @@ Command generate_command() {
   return {.name = "generate",
           .summary = "search a new family of tags",
           .examples = {"tagmint generate --layout standard:7 --min-hamming 9 -o my.json",
-                       "tagmint generate --layout classic:8 --min-hamming 5 --attempts 20 -o "
-                       "best.json"},
+                       "tagmint generate --method rotation-code --layout classic:8 "
+                       "--min-hamming 5"},
           .set_up = set_up};
 }
 
