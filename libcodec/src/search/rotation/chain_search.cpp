@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "echelon.h"
@@ -61,13 +62,19 @@ LevelFrame frame_of(const TurnCode& floor, int distance, const KnownChain* known
 
 TurnCode search_level(const TurnCode& floor, int distance, LevelFrame frame, const Effort& effort,
                       RandomChoice& random) {
-  TurnCode best = frame.start;
+  std::vector<int> divisors;
   for (const int divisor : {4, 2, 1}) {
     if (!divides_weights(divisor, floor)) continue;
+    divisors.push_back(divisor);
+    // What a whole code obeys need not be asked for less strictly.
+    if (frame.inside != nullptr && divides_weights(divisor, *frame.inside)) break;
+  }
+  TurnCode best = frame.start;
+  for (const int divisor : divisors) {
     ClimbRules rules;
     rules.weights = {(distance + divisor - 1) / divisor * divisor, divisor};
     rules.inside = frame.inside;
-    WorkBudget budget({effort.words / 3, effort.stop});
+    WorkBudget budget({effort.words / static_cast<double>(divisors.size()), effort.stop});
     const TurnCode& start = divides_weights(divisor, best) ? best : floor;
     TurnCode code = climb_far(floor, start, rules, random, budget);
     if (code.dimension() > best.dimension()) best = std::move(code);
@@ -88,21 +95,38 @@ double tags_of(const TurnCode& code) {
 }
 
 double value_of(const CodeChain& chain) {
+  constexpr double kWhole = 3;
   double value = 0;
+  int dimension = 0;
   for (const CodeChain::Level& level : chain.levels) {
+    const bool is_whole = &level == &chain.levels.back();
     const double tags = tags_of(level.code);
-    if (tags > 0) value += std::log2(tags);
+    const bool is_new = level.code.dimension() > dimension;
+    dimension = level.code.dimension();
+    if (tags >= 1 && (is_new || is_whole)) value += (is_whole ? kWhole : 1.0) * std::log2(tags);
   }
   return value;
 }
 
-CodeChain search_chain(int bits, std::span<const int> distances, const KnownChain* known,
+CodeChain search_chain(int bits, std::span<const int> distances, const KnownChain* known, bool vary,
                        const Effort& effort, RandomChoice& random) {
+  constexpr std::size_t kMostGivenWay = 3;
   CodeChain chain;
   chain.construction = known != nullptr ? known->name : "quasi-cyclic search";
+  std::optional<KnownChain> some;
+  if (known != nullptr && vary) {
+    some = *known;
+    std::erase_if(some->codes, [&](const KnownCode&) { return random.below(2) == 0; });
+    known = &*some;
+  }
   TurnCode floor(bits);
   for (const int distance : distances) {
-    floor = search_level(floor, distance, frame_of(floor, distance, known), effort, random);
+    TurnCode code = search_level(floor, distance, frame_of(floor, distance, known), effort, random);
+    if (vary && distance != distances.back()) {
+      const int given_way = static_cast<int>(random.below(kMostGivenWay));
+      code = code.prefix(std::max(floor.dimension(), code.dimension() - given_way));
+    }
+    floor = std::move(code);
     chain.levels.push_back({floor, distance});
   }
   return chain;

@@ -23,7 +23,8 @@ struct CodeChain {
 double tags_of(const TurnCode& code);
 
 /// How good a chain is: the sum of log2(tags) over its levels, so that twice as many tags count
-/// alike in every level. Levels without a tag count nothing.
+/// alike in each level, but three times as much in the whole family, the last one. Levels without a
+/// tag, or without one more than the level before, count nothing.
 double value_of(const CodeChain& chain);
 
 /// One attempt at a chain with a code for each of `distances`, which fall. From the largest
@@ -31,8 +32,10 @@ double value_of(const CodeChain& chain);
 /// first with weights divisible by four, then by two, then any. With `known`, fitted to `bits`, a
 /// level begins with the largest of its codes that is far enough and holds the level before, and
 /// stays inside the smallest one that is not.
+///   vary     give way at random: leave out some of the known codes, and of a level's code up to
+///            two dimensions; a smaller code may leave room for larger ones around it
 ///   effort   for each level
-CodeChain search_chain(int bits, std::span<const int> distances, const KnownChain* known,
+CodeChain search_chain(int bits, std::span<const int> distances, const KnownChain* known, bool vary,
                        const Effort& effort, RandomChoice& random);
 
 /// Codes with larger distances inside `whole`: for each of `distances`, which fall, as

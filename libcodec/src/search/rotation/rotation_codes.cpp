@@ -21,8 +21,8 @@
 namespace tagmint::codec {
 namespace {
 
-/// Words that a try compares for each level of a chain: about a second.
-constexpr double kWordsPerLevel = 1e9;
+/// Words that a try compares for each level of a chain: half a second to two.
+constexpr double kWordsPerLevel = 4e9;
 
 /// Tries of annealing for each attempt, and words that each compares: about four seconds.
 constexpr std::size_t kFreeTries = 4;
@@ -172,7 +172,8 @@ class CodeSearch {
       const std::size_t source = number % sources;
       std::optional<KnownChain> fitted;
       if (source > 0) fitted = fit_chain(known[source - 1], options_.layout.bits(), random);
-      return search_chain(options_.layout.bits(), distances, fitted ? &*fitted : nullptr,
+      const bool vary = number >= sources && distances.size() > 1;
+      return search_chain(options_.layout.bits(), distances, fitted ? &*fitted : nullptr, vary,
                           effort(kWordsPerLevel), random);
     };
     auto best = best_try<CodeChain>("codes", sources * static_cast<std::size_t>(options_.attempts),
@@ -215,8 +216,8 @@ class CodeSearch {
     code.adjoin(words);
     const KnownChain known{"annealed quasi-cyclic code", bits, {{code, options_.min_hamming}}};
     RandomChoice random = random_for(options_, 5, 0);
-    CodeChain better =
-        search_chain(bits, falling_distances(options_), &known, effort(kWordsPerLevel), random);
+    CodeChain better = search_chain(bits, falling_distances(options_), &known, false,
+                                    effort(kWordsPerLevel), random);
     if (value_of(better) <= value_of(chain)) return chain;
     tags_ = tags_of(better.levels.back().code);
     return better;

@@ -62,9 +62,10 @@ inline constexpr std::size_t kMostListedTags = 1024;
 ///   - unions of cosets of a small code, where the layout has at most 25 bits and no levels are
 ///     asked for;
 ///   - for small families and at most 41 bits, further words by the lexicode search.
-/// With levels the best chain is the one with the largest product of tags over its levels, else the
-/// one with the most tags. Cells and a translation are chosen so that many of the first tags pass
-/// the complexity rule. Deterministic for given options but threads.
+/// With levels the best chain is the one with the largest product of tags over its levels, the
+/// whole family counted three times; without, the one with the most tags. Cells and a translation
+/// are chosen so that many of the first tags pass the complexity rule. Deterministic for given
+/// options but threads.
 ///   errors   std::invalid_argument for distances outside 1..bits, levels not above min_hamming,
 ///            no attempts
 ///   cost     seconds to a minute an attempt
