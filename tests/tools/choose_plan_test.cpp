@@ -9,7 +9,10 @@
 #include "cli/choose_report.h"
 #include "tagmint/codec/builtin_families.h"
 #include "tagmint/codec/family_stats.h"
+#include "tagmint/codec/id_distance.h"
 #include "tagmint/codec/layout_presets.h"
+#include "tagmint/codec/rotation_code.h"
+#include "tagmint/codec/tag_index.h"
 
 namespace tagmint::cli {
 namespace {
@@ -19,23 +22,26 @@ using codec::FamilyParts;
 
 Candidate bundled(const std::string& name) { return {name, codec::find_family(name)}; }
 
-/// `codes` arbitrary words with those levels: for what is planned, not for how far apart they are.
-Candidate family_of(const std::string& name, const std::string& layout, std::size_t codes,
-                    std::vector<codec::Level> levels) {
-  FamilyParts parts{.name = name,
-                    .layout = codec::parse_layout(layout),
-                    .min_hamming = levels.back().min_hamming,
+/// 60 tags at distance 16 inside 2,016 at 12, listed, the last `plain` of each level's own declared
+/// plain.
+Candidate nested(std::size_t plain = 0) {
+  const codec::Layout layout = codec::parse_layout("classic:10");
+  const auto code = std::make_shared<const codec::RotationCode>(codec::RotationCodeParts{
+      .bits = 36,
+      .basis = {0x321ef4119, 0x3de823264, 0xd0464c87b, 0x8c990f7a0, 0xce32cefd, 0xc659dfa19,
+                0xb3bf4338c, 0x7e8671967, 0x811c0c1b4, 0xa27c90090, 0x83b61a100, 0x3981c82a,
+                0x80ff16a11},
+      .levels = {{8, 1}, {13, 1}}});
+  const codec::TagIndex index(code, layout, {});
+  FamilyParts parts{.name = "nested",
+                    .layout = layout,
+                    .min_hamming = 12,
                     .codewords = {},
                     .complexity = {},
                     .origin = {},
-                    .levels = std::move(levels)};
-  for (std::size_t i = 0; i < codes; ++i) parts.codewords.push_back(0x1234567 + 31 * i);
-  return {name, std::make_shared<const Family>(std::move(parts))};
-}
-
-/// A family of 36 bits as rotation codes make them.
-Candidate nested() {
-  return family_of("nested", "classic:10", 300, {{60, 16}, {200, 12}, {300, 8}});
+                    .levels = {{60, 16, plain}, {2016, 12, plain}}};
+  for (codec::TagId id = 0; id < 2016; ++id) parts.codewords.push_back(index.codeword(id));
+  return {"nested", std::make_shared<const Family>(std::move(parts))};
 }
 
 TagUse use_of(std::size_t tags, double distance_mm = 1000) {
@@ -85,27 +91,52 @@ TEST(ChoosePlan, TakesTheSmallestLevelThatHoldsTheTags) {
     std::size_t tags;
     std::size_t level;
     int min_hamming;
-    int safe_errors;
   };
-  for (const Case& c : {Case{1, 0, 16, 7}, Case{60, 0, 16, 7}, Case{61, 1, 12, 5},
-                        Case{200, 1, 12, 5}, Case{201, 2, 8, 3}}) {
+  for (const Case& c : {Case{2, 0, 16}, Case{60, 0, 16}, Case{61, 1, 12}, Case{2016, 1, 12}}) {
     const FamilyChoice choice = only_choice(nested(), use_of(c.tags));
     EXPECT_EQ(choice.level, c.level) << c.tags;
-    EXPECT_EQ(choice.min_hamming, c.min_hamming) << c.tags;
-    EXPECT_EQ(choice.safe_errors, c.safe_errors) << c.tags;
     EXPECT_EQ(choice.ids, (std::vector<IdRange>{{0, static_cast<codec::TagId>(c.tags - 1)}}));
+    EXPECT_GE(choice.min_hamming, c.min_hamming) << c.tags;
+    EXPECT_EQ(choice.safe_errors, (choice.min_hamming - 1) / 2) << c.tags;
   }
+  EXPECT_EQ(only_choice(nested(), use_of(60)).min_hamming, 16);
+  EXPECT_EQ(only_choice(nested(), use_of(2016)).min_hamming, 12);
+}
+
+TEST(ChoosePlan, TheDistanceIsThatOfTheIdsInUse) {
+  const FamilyChoice few = only_choice(bundled("tag36h11"), use_of(2));
+  EXPECT_EQ(few.min_hamming, codec::distance_of_ids(*few.family, std::vector<codec::TagId>{0, 1}));
+  EXPECT_GT(few.min_hamming, 11);
+}
+
+TEST(ChoosePlan, TakesTagsThatPassTheComplexityRuleFirst) {
+  using Ranges = std::vector<IdRange>;
+  // Of each level's own ids the last five are plain: 55-59 and 2011-2015.
+  EXPECT_EQ(only_choice(nested(5), use_of(55)).ids, (Ranges{{0, 54}}));
+  EXPECT_EQ(only_choice(nested(5), use_of(55)).plain_ids, 0U);
+  const FamilyChoice all = only_choice(nested(5), use_of(58));
+  EXPECT_EQ(all.ids, (Ranges{{0, 57}}));
+  EXPECT_EQ(all.plain_ids, 3U);
+  EXPECT_TRUE(has(all, Caution::PlainTags));
+  const FamilyChoice second = only_choice(nested(5), use_of(100));
+  EXPECT_EQ(second.ids, (Ranges{{0, 54}, {60, 104}}));
+  EXPECT_EQ(second.plain_ids, 0U);
+  EXPECT_FALSE(has(second, Caution::PlainTags));
+  const FamilyChoice most = only_choice(nested(5), use_of(2008));
+  EXPECT_EQ(most.ids, (Ranges{{0, 56}, {60, 2010}}));
+  EXPECT_EQ(most.plain_ids, 2U);
+  EXPECT_EQ(only_choice(nested(5), use_of(2016)).ids, (Ranges{{0, 2015}}));
 }
 
 TEST(ChoosePlan, FalseAcceptsAreThoseOfTheIdsInUse) {
   const FamilyChoice choice = only_choice(nested(), use_of(50));
   EXPECT_DOUBLE_EQ(choice.accepted_at_2, 4.0 * 50 * (1 + 36 + 630) / 68719476736.0);
-  EXPECT_DOUBLE_EQ(choice.accepted_at_safe, codec::false_accept_rate(50, 36, 7));
+  EXPECT_DOUBLE_EQ(choice.accepted_at_safe, codec::false_accept_rate(50, 36, choice.safe_errors));
   EXPECT_DOUBLE_EQ(choice.accepted, codec::false_accept_rate(50, 36, choice.max_hamming));
 }
 
 TEST(ChoosePlan, CorrectsAsMuchAsIsSafeAndAcceptable) {
-  for (const std::size_t tags : {1, 9, 60, 200, 300}) {
+  for (const std::size_t tags : {1, 9, 60, 200, 2016}) {
     const FamilyChoice choice = only_choice(nested(), use_of(tags));
     EXPECT_LE(choice.max_hamming, choice.safe_errors);
     EXPECT_LE(choice.accepted, kAcceptedRate);
@@ -135,12 +166,12 @@ TEST(ChoosePlan, TheRangeIsWhereTheTagsAreStillRead) {
 
 TEST(ChoosePlan, LeavesOutFamiliesWithTooFewTags) {
   const ChoosePlan plan =
-      choose_families(std::vector{bundled("tag16h5"), bundled("tag36h11"), nested()}, use_of(301));
-  EXPECT_EQ(names_of(plan), std::vector<std::string>{"tag36h11"});
+      choose_families(std::vector{bundled("tag16h5"), bundled("tag36h11"), nested()}, use_of(588));
+  EXPECT_EQ(names_of(plan), std::vector<std::string>{"nested"});
   ASSERT_EQ(plan.too_small.size(), 2U);
   EXPECT_EQ(plan.too_small[0].name, "tag16h5");
   EXPECT_EQ(plan.too_small[0].tags, 30U);
-  EXPECT_EQ(plan.too_small[1].tags, 300U);
+  EXPECT_EQ(plan.too_small[1].tags, 587U);
 }
 
 TEST(ChoosePlan, RanksWhatCanBeReadThereFirst) {

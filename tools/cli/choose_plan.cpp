@@ -13,6 +13,7 @@
 #include "draw/sheet_plan.h"
 #include "tagmint/codec/builtin_families.h"
 #include "tagmint/codec/family_stats.h"
+#include "tagmint/codec/id_distance.h"
 #include "tagmint/codec/layout_presets.h"
 
 namespace tagmint::cli {
@@ -55,9 +56,48 @@ void find_readers(FamilyChoice& choice) {
   }
 }
 
-/// The ids of the level's tags, those that pass the complexity rule first, until there are `tags`.
+/// Adds the first ids of first .. end - 1 to `ids`, `wanted` at most; how many were added.
+std::size_t take(std::vector<IdRange>& ids, std::size_t first, std::size_t end,
+                 std::size_t wanted) {
+  const std::size_t taken = std::min(end - first, wanted);
+  if (taken > 0) {
+    ids.push_back({static_cast<codec::TagId>(first), static_cast<codec::TagId>(first + taken - 1)});
+  }
+  return taken;
+}
+
+/// Sorts ranges that do not overlap and joins those that follow each other.
+std::vector<IdRange> joined(std::vector<IdRange> ranges) {
+  std::sort(ranges.begin(), ranges.end(),
+            [](const IdRange& a, const IdRange& b) { return a.first < b.first; });
+  std::vector<IdRange> result;
+  for (const IdRange& range : ranges) {
+    if (!result.empty() && result.back().last + 1 == range.first) {
+      result.back().last = range.last;
+    } else {
+      result.push_back(range);
+    }
+  }
+  return result;
+}
+
+/// Ids of the level, `tags` of them: as many as there are that pass the complexity rule, then the
+/// plain ones, which each level has at the end of its own ids.
 void choose_ids(FamilyChoice& choice, std::size_t tags) {
-  choice.ids = {{0, static_cast<codec::TagId>(tags - 1)}};
+  const auto levels = choice.family->levels().first(choice.level + 1);
+  std::vector<IdRange> ids;
+  std::size_t missing = tags;
+  for (const bool plain : {false, true}) {
+    std::size_t begin = 0;
+    if (plain) choice.plain_ids = missing;
+    for (const codec::Level& level : levels) {
+      const std::size_t first_plain = level.codes - level.plain;
+      missing -= plain ? take(ids, first_plain, level.codes, missing)
+                       : take(ids, begin, first_plain, missing);
+      begin = level.codes;
+    }
+  }
+  choice.ids = joined(std::move(ids));
 }
 
 /// The most errors that are safe, with no more false accepts than are acceptable; 0 at the least.
@@ -67,9 +107,17 @@ int errors_to_correct(std::size_t tags, int bits, int safe_errors) {
   return errors;
 }
 
-void fill_distances(FamilyChoice& choice, std::size_t tags) {
+std::vector<codec::TagId> list_of(std::span<const IdRange> ranges) {
+  std::vector<codec::TagId> ids;
+  for (const IdRange& range : ranges) {
+    for (codec::TagId id = range.first; id <= range.last; ++id) ids.push_back(id);
+  }
+  return ids;
+}
+
+void fill_distances(FamilyChoice& choice, std::size_t tags, int threads) {
   const int bits = choice.family->bits();
-  choice.min_hamming = choice.family->levels()[choice.level].min_hamming;
+  choice.min_hamming = codec::distance_of_ids(*choice.family, list_of(choice.ids), threads);
   choice.safe_errors = (choice.min_hamming - 1) / 2;
   choice.max_hamming = errors_to_correct(tags, bits, choice.safe_errors);
   choice.accepted = codec::false_accept_rate(tags, bits, choice.max_hamming);
@@ -112,7 +160,8 @@ void fill_cautions(FamilyChoice& choice) {
 }
 
 /// nullopt when the family has too few tags.
-std::optional<FamilyChoice> choose_level(const Candidate& candidate, const TagUse& use) {
+std::optional<FamilyChoice> choose_level(const Candidate& candidate, const TagUse& use,
+                                         int threads) {
   const auto levels = candidate.family->levels();
   const auto level = std::find_if(levels.begin(), levels.end(),
                                   [&](const codec::Level& l) { return l.codes >= use.tags; });
@@ -122,7 +171,7 @@ std::optional<FamilyChoice> choose_level(const Candidate& candidate, const TagUs
   choice.family = candidate.family;
   choice.level = static_cast<std::size_t>(level - levels.begin());
   choose_ids(choice, use.tags);
-  fill_distances(choice, use.tags);
+  fill_distances(choice, use.tags, threads);
   fill_sizes(choice, use);
   find_readers(choice);
   fill_cautions(choice);
@@ -153,10 +202,10 @@ std::string id_list_text(std::span<const IdRange> ranges) {
   return text;
 }
 
-ChoosePlan choose_families(std::span<const Candidate> candidates, const TagUse& use) {
+ChoosePlan choose_families(std::span<const Candidate> candidates, const TagUse& use, int threads) {
   ChoosePlan plan;
   for (const Candidate& candidate : candidates) {
-    if (std::optional<FamilyChoice> choice = choose_level(candidate, use)) {
+    if (std::optional<FamilyChoice> choice = choose_level(candidate, use, threads)) {
       plan.ranked.push_back(std::move(*choice));
     } else {
       plan.too_small.push_back({candidate.source, candidate.family->size()});

@@ -71,7 +71,7 @@ struct FamilyChoice {
   std::size_t level = 0;          ///< index of the smallest level that holds the ids
   std::vector<IdRange> ids;       ///< to use
   std::size_t plain_ids = 0;      ///< of them, those that fail the complexity rule
-  int min_hamming = 0;            ///< of the level
+  int min_hamming = 0;            ///< of the ids: that of the level, or more where few are in use
   int safe_errors = 0;            ///< (min_hamming - 1) / 2
   int max_hamming = 0;            ///< errors to correct: the most that are safe and acceptable
   double edge_mm = 0;             ///< side of the border square
@@ -109,7 +109,9 @@ struct ChoosePlan {
 ///    / bits in whole percent;
 /// 5. the size of the whole tag;
 /// 6. whether other programs read it; then the order given.
-/// Cost: O(tags) a family.
-ChoosePlan choose_families(std::span<const Candidate> candidates, const TagUse& use);
+///   threads   0 = all cores
+///   cost      a family that of codec::distance_of_ids()
+ChoosePlan choose_families(std::span<const Candidate> candidates, const TagUse& use,
+                           int threads = 0);
 
 }  // namespace tagmint::cli

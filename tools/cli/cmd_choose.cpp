@@ -70,18 +70,18 @@ std::vector<Candidate> candidates_of(const std::vector<std::string>& more) {
   return candidates;
 }
 
-int run(const Options& options) {
+int run(const Options& options, const Common& common) {
   const std::vector<std::string> formats = {"text", "json"};
   const std::string format = choose_format(options.format, options.output, formats, "text");
   const TagUse use = use_of(options);
-  const ChoosePlan plan = choose_families(candidates_of(options.families), use);
+  const ChoosePlan plan = choose_families(candidates_of(options.families), use, common.threads);
   write_output(options.output, format == "json" ? choose_json(plan, use) : choose_text(plan, use));
   const bool readable =
       !plan.ranked.empty() && plan.ranked.front().readability != Readability::Beyond;
   return readable ? kDone : kAnswerIsNo;
 }
 
-Runner set_up(CLI::App& app, const Common&) {
+Runner set_up(CLI::App& app, const Common& common) {
   app.description(
       "Ranked by, in turn: read at that distance with half as much again in reserve, without, not "
       "at all; false accepts at most those of tag36h11 with two corrected bits; the share of "
@@ -102,7 +102,7 @@ Runner set_up(CLI::App& app, const Common&) {
       ->allow_extra_args(false);
   add_format(app, options->format, {"text", "json"}, "text");
   add_output(app, options->output);
-  return [options] { return run(*options); };
+  return [options, &common] { return run(*options, common); };
 }
 
 }  // namespace
