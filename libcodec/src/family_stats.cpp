@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <span>
 
+#include "codeword_stretches.h"
+#include "level_distances.h"
 #include "pair_distances.h"
 #include "tagmint/codec/rotation.h"
 
@@ -27,22 +31,90 @@ double false_accept_rate(std::size_t codes, int bits, int errors) {
   return std::min(1.0, 4.0 * static_cast<double>(codes) * std::ldexp(words_within, -bits));
 }
 
-FamilyStats family_stats(const Family& family, int threads) {
-  const int bits = family.bits();
-  const std::size_t entries = static_cast<std::size_t>(bits) + 1;
-  const Level all{family.size(), family.min_hamming()};
-  const std::vector<Codeword> codewords = first_codewords(family, family.size());
-  const DistanceHistogram pairs =
-      pair_histograms(codewords, bits, std::span(&all, 1), threads).front();
+namespace {
 
+/// How many of the tags of each level pass the rule, by judging each.
+void count_passing(const Family& family, int threads, std::vector<LevelStats>& levels) {
+  const ComplexityJudge judge(family.layout(), family.complexity());
+  const int workers = thread_count(threads);
+  std::vector<std::vector<std::size_t>> parts(workers, std::vector<std::size_t>(levels.size()));
+  for_each_stretch(family, workers,
+                   [&](int worker, TagId first, std::span<const Codeword> codewords) {
+                     std::size_t level = 0;
+                     for (std::size_t i = 0; i < codewords.size(); ++i) {
+                       while (first + i >= levels[level].codes) ++level;
+                       parts[worker][level] += judge.accepts(codewords[i]);
+                     }
+                   });
+  std::size_t passing = 0;
+  for (std::size_t level = 0; level < levels.size(); ++level) {
+    for (const auto& part : parts) passing += part[level];
+    levels[level].passing = passing;
+  }
+}
+
+void add_listed(const Family& family, int threads, FamilyStats& stats) {
+  const int bits = family.bits();
+  const auto histograms = pair_histograms(family.codewords(), bits, family.levels(), threads);
+  stats.distance_histogram.assign(static_cast<std::size_t>(bits) + 1, 0);
+  int least = bits;
+  TagId id = 0;
+  for (std::size_t level = 0; level < family.levels().size(); ++level) {
+    const std::size_t codes = family.levels()[level].codes;
+    for (; id < codes; ++id) least = std::min(least, self_distance(family.codeword(id), bits));
+    for (int distance = 0; distance <= bits; ++distance) {
+      stats.distance_histogram[distance] += histograms[level][distance];
+    }
+    least = std::min(least, first_used(stats.distance_histogram, bits));
+    stats.levels.push_back({codes, least, 0});
+  }
+  count_passing(family, threads, stats.levels);
+}
+
+void add_generated(const Family& family, int threads, FamilyStats& stats) {
+  const RotationCode& code = *family.generator();
+  std::size_t plain = 0;
+  for (std::size_t level = 0; level < code.levels().size(); ++level) {
+    const DistanceHistogram distances = level_distances(code, level, threads);
+    plain += family.index()->plain(level);
+    stats.levels.push_back({code.tags(level),
+                            tag_distance(*family.index(), level, distances, threads),
+                            code.tags(level) - plain});
+    if (level + 1 < code.levels().size()) continue;
+    const auto cosets = static_cast<double>(code.cosets().size());
+    for (int distance = 0; distance <= family.bits(); ++distance) {
+      stats.word_distances.push_back(static_cast<double>(distances[distance]) / cosets);
+    }
+  }
+}
+
+std::vector<std::uint64_t> self_histogram(const Family& family, int threads) {
+  const int bits = family.bits();
+  const int workers = thread_count(threads);
+  std::vector<DistanceHistogram> parts(workers, DistanceHistogram{});
+  for_each_stretch(family, workers, [&](int worker, TagId, std::span<const Codeword> codewords) {
+    for (const Codeword word : codewords) ++parts[worker][self_distance(word, bits)];
+  });
+  std::vector<std::uint64_t> sum(static_cast<std::size_t>(bits) + 1, 0);
+  for (const DistanceHistogram& part : parts) {
+    std::transform(sum.begin(), sum.end(), part.begin(), sum.begin(), std::plus<>());
+  }
+  return sum;
+}
+
+}  // namespace
+
+FamilyStats family_stats(const Family& family, int threads) {
   FamilyStats stats;
-  stats.distance_histogram.assign(pairs.begin(), pairs.begin() + bits + 1);
-  stats.self_histogram.assign(entries, 0);
-  for (const Codeword word : codewords) ++stats.self_histogram[self_distance(word, bits)];
-  stats.min_hamming =
-      std::min(first_used(stats.distance_histogram, bits), first_used(stats.self_histogram, bits));
-  for (int errors = 0; errors <= bits / 2; ++errors) {
-    stats.false_accept_rate.push_back(false_accept_rate(family.size(), bits, errors));
+  if (family.is_listed()) {
+    add_listed(family, threads, stats);
+  } else {
+    add_generated(family, threads, stats);
+  }
+  stats.self_histogram = self_histogram(family, threads);
+  stats.min_hamming = stats.levels.back().min_hamming;
+  for (int errors = 0; errors <= family.bits() / 2; ++errors) {
+    stats.false_accept_rate.push_back(false_accept_rate(family.size(), family.bits(), errors));
   }
   return stats;
 }

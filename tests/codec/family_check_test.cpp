@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "support/generated_families.h"
 #include "tagmint/codec/builtin_families.h"
+#include "tagmint/codec/family_file.h"
 #include "tagmint/codec/rotation.h"
 
 namespace tagmint::codec {
@@ -138,6 +140,96 @@ TEST(FamilyCheck, ProvesEachLevel) {
   const FamilyCheck check = check_family(like_tag16h5(chosen, {}, {{2, 6}, {30, 5}}));
   EXPECT_FALSE(check.violation);
   EXPECT_TRUE(proves(check, "the first 2 tags are at least 6 bits apart"));
+}
+
+TEST(FamilyCheck, PlainTagsOfALevelMustFailTheRule) {
+  // Sorted so that the plain ones of each half come last.
+  const Complexity rule{ComplexityRule::Energy, 0.34};
+  const ComplexityJudge judge(find_family("tag16h5")->layout(), rule);
+  std::vector<Codeword> words = codewords_of_tag16h5();
+  const auto passes = [&](Codeword word) { return judge.accepts(word); };
+  const auto passing = std::stable_partition(words.begin(), words.end(), passes) - words.begin();
+  ASSERT_GT(passing, 2);
+  ASSERT_LT(passing, 28);
+  const auto plain = static_cast<std::size_t>(30 - passing);
+  const FamilyCheck sound = check_family(like_tag16h5(words, rule, {{30, 5, plain}}));
+  EXPECT_FALSE(sound.violation) << sound.violation->message;
+  EXPECT_TRUE(proves(sound, "the " + std::to_string(plain) + " plain ones less"));
+
+  const FamilyCheck fewer = check_family(like_tag16h5(words, rule, {{30, 5, plain - 1}}));
+  ASSERT_TRUE(fewer.violation);
+  EXPECT_EQ(fewer.violation->ids, std::vector<TagId>{static_cast<TagId>(passing)});
+  EXPECT_NE(fewer.violation->message.find("is too plain"), std::string::npos);
+
+  const FamilyCheck more = check_family(like_tag16h5(words, rule, {{30, 5, plain + 1}}));
+  ASSERT_TRUE(more.violation);
+  EXPECT_EQ(more.violation->ids, std::vector<TagId>{static_cast<TagId>(passing - 1)});
+  EXPECT_NE(more.violation->message.find("is declared plain, but it has energy"),
+            std::string::npos);
+  EXPECT_NE(more.violation->message.find("enough for energy:0.34"), std::string::npos);
+}
+
+TEST(FamilyCheck, ProvesGeneratedFamilies) {
+  FamilyParts parts = test::generated_36();
+  parts.declared_digest = family_digest(Family(parts));
+  const FamilyCheck check = check_family(Family(parts));
+  EXPECT_FALSE(check.violation) << check.violation->message;
+  const std::vector<std::string> expected = {
+      "the layout looks the same after a quarter turn",
+      "the 19 words of the basis are independent",
+      "each of the 4 levels is closed under quarter turns and has as many tags as declared",
+      "every tag is at least 8 bits from its own turns (8 declared)",
+      "the first 60 tags are at least 16 bits apart in every rotation (16 declared)",
+      "the first 2016 tags are at least 12 bits apart in every rotation (12 declared)",
+      "the first 8128 tags are at least 10 bits apart in every rotation (10 declared)",
+      "all 130816 tags are at least 8 bits apart in every rotation (8 declared)",
+      "121100 of 130816 tags have at least energy 0.3400 (energy:0.3333 declared), the 9716 plain "
+      "ones less",
+      "the SHA-256 of all 130816 codewords is the declared one",
+  };
+  EXPECT_EQ(check.proven, expected);
+  for (const FamilyParts& small : {test::generated_16(), test::generated_25()}) {
+    EXPECT_FALSE(check_family(Family(small)).violation);
+  }
+}
+
+TEST(FamilyCheck, FindsALevelOfAGeneratedFamilyThatDeclaresTooMuch) {
+  FamilyParts parts = test::generated_36();
+  parts.levels[1].min_hamming = 13;
+  const FamilyCheck check = check_family(Family(parts));
+  ASSERT_TRUE(check.violation);
+  EXPECT_TRUE(proves(check, "the first 60 tags"));
+  EXPECT_FALSE(proves(check, "the first 2016 tags"));
+  EXPECT_TRUE(proves(check, "all 130816 tags"));
+  const std::vector<TagId>& ids = check.violation->ids;
+  EXPECT_LT(ids.back(), 2016u);
+  const Family family(parts);
+  if (ids.size() == 1) {
+    EXPECT_EQ(self_distance(family.codeword(ids[0]), 36), 12);
+  } else {
+    EXPECT_EQ(rotation_distance(family.codeword(ids[0]), family.codeword(ids[1]), 36), 12);
+  }
+  EXPECT_NE(check.violation->message.find("; its first 2016 ids declare 13"), std::string::npos)
+      << check.violation->message;
+
+  parts = test::generated_25();
+  parts.min_hamming = 10;
+  EXPECT_TRUE(check_family(Family(parts)).violation);
+}
+
+TEST(FamilyCheck, FindsWrongPlainTagsAndDigestsOfGeneratedFamilies) {
+  FamilyParts parts = test::generated_36();
+  parts.declared_digest = std::string(64, '0');
+  const FamilyCheck digest = check_family(Family(parts));
+  ASSERT_TRUE(digest.violation);
+  EXPECT_TRUE(digest.violation->ids.empty());
+  EXPECT_NE(digest.violation->message.find("the family declares 0000"), std::string::npos);
+
+  ++parts.levels[1].plain;
+  const FamilyCheck plain = check_family(Family(parts));
+  ASSERT_TRUE(plain.violation);
+  EXPECT_EQ(plain.violation->ids, std::vector<TagId>{2016 - 132 - 1}) << "before the digest";
+  EXPECT_NE(plain.violation->message.find("is declared plain"), std::string::npos);
 }
 
 /// The lowest ids at fault, found by trying all.

@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numeric>
 #include <random>
 #include <vector>
 
 #include "pair_distances.h"
+#include "support/generated_families.h"
+#include "support/rotation_codes.h"
 #include "tagmint/codec/builtin_families.h"
 #include "tagmint/codec/layout_presets.h"
 #include "tagmint/codec/rotation.h"
@@ -97,6 +100,51 @@ TEST(FamilyStats, ASingleTagHasItsSelfDistance) {
   EXPECT_EQ(stats.min_hamming, 8);
   EXPECT_EQ(std::accumulate(stats.distance_histogram.begin(), stats.distance_histogram.end(), 0u),
             0u);
+}
+
+TEST(FamilyStats, TellTheFiguresOfEachLevel) {
+  FamilyParts parts = test::generated_36();
+  RotationCodeParts code = test::chain_of_36_bits();
+  code.basis.resize(15);
+  code.levels.resize(3);
+  parts.generator = std::make_shared<const RotationCode>(code);
+  parts.levels.resize(3);
+  parts.min_hamming = 10;
+  const Family family(parts);
+  const FamilyStats generated = family_stats(family);
+  const std::vector<LevelStats> expected = {{60, 16, 60}, {2016, 12, 1884}, {8128, 10, 7531}};
+  EXPECT_EQ(generated.levels, expected);
+  EXPECT_EQ(generated.min_hamming, 10);
+  EXPECT_TRUE(generated.distance_histogram.empty());
+
+  const FamilyStats listed = family_stats(test::listed(family));
+  EXPECT_EQ(listed.levels, expected);
+  EXPECT_EQ(listed.min_hamming, 10);
+  EXPECT_EQ(listed.self_histogram, generated.self_histogram);
+  EXPECT_EQ(listed.false_accept_rate, generated.false_accept_rate);
+  EXPECT_TRUE(listed.word_distances.empty());
+}
+
+TEST(FamilyStats, CountTheDistancesBetweenWordsOfGeneratedFamilies) {
+  for (const FamilyParts& parts : {test::generated_16(), test::generated_25()}) {
+    const Family family(parts);
+    const int bits = family.bits();
+    // No word of these codes is fixed by a half turn: each is a turn of a tag.
+    std::vector<Codeword> words;
+    for (const Codeword tag : first_codewords(family, family.size())) {
+      for (int turn = 0; turn < 4; ++turn) words.push_back(rotate(tag, bits, turn));
+    }
+    std::vector<double> seen(bits + 1, 0);
+    for (const Codeword a : words) {
+      for (const Codeword b : words) seen[hamming_distance(a, b)] += 1.0 / words.size();
+    }
+    const FamilyStats stats = family_stats(family);
+    ASSERT_EQ(stats.word_distances.size(), seen.size());
+    for (int distance = 0; distance <= bits; ++distance) {
+      EXPECT_NEAR(stats.word_distances[distance], seen[distance], 1e-9) << distance;
+    }
+    EXPECT_EQ(stats.levels.size(), family.levels().size());
+  }
 }
 
 TEST(PairDistances, AreCountedByLevel) {

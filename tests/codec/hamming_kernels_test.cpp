@@ -85,6 +85,9 @@ TEST(HammingKernels, AddDistancesEqualsTheScalarReference) {
         add_distances(words, turns, fast);
         scalar::add_distances(words, turns, reference);
         EXPECT_EQ(fast, reference);
+        add_distances(words, turns[1], fast);
+        scalar::add_distances(words, turns[1], reference);
+        EXPECT_EQ(fast, reference);
       }
     }
   });

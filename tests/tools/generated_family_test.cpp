@@ -68,6 +68,61 @@ TEST(GeneratedFamilyTools, AreRenderedAndDetected) {
   EXPECT_EQ(ids, (std::vector<int>{7, 59, 8127, 130815}));
 }
 
+TEST(GeneratedFamilyTools, AreCheckedFromTheirCode) {
+  const ScratchFolder folder;
+  const std::string file = large_family(folder);
+  const ProgramResult result = tagmint({"check", file});
+  EXPECT_EQ(result.exit_code, 0);
+  for (const char* line :
+       {"generated36: proven: the 19 words of the basis are independent\n",
+        "generated36: proven: the first 60 tags are at least 16 bits apart in every rotation",
+        "generated36: proven: the SHA-256 of all 130816 codewords is the declared one\n"}) {
+    EXPECT_NE(result.out.find(line), std::string::npos) << line << result.out;
+  }
+  std::string text = read_file(file);
+  const std::string digest = text.substr(text.find("\"sha256\":\"") + 10, 64);
+  text.replace(text.find(digest), 64, std::string(64, 'a'));
+  const ProgramResult broken = tagmint({"check", folder.write("broken.json", text)});
+  EXPECT_EQ(broken.exit_code, 1);
+  EXPECT_NE(broken.out.find("VIOLATION: the SHA-256 of the codewords is " + digest),
+            std::string::npos)
+      << broken.out;
+}
+
+TEST(GeneratedFamilyTools, InfoTellsEachLevel) {
+  const ScratchFolder folder;
+  const std::string file = large_family(folder);
+  const Json json = Json::parse(tagmint({"info", file, "--format", "json"}).out);
+  EXPECT_EQ(json.at("codes"), 130816);
+  EXPECT_EQ(json.at("true_min_hamming"), 8);
+  EXPECT_FALSE(json.contains("distance_histogram"));
+  double words = 0;
+  for (const Json& bar : json.at("word_distances")) words += bar.at("words").get<double>();
+  EXPECT_EQ(words, 1 << 19);
+  ASSERT_EQ(json.at("levels").size(), 4U);
+  const Json& level = json.at("levels")[1];
+  EXPECT_EQ(level.at("codes"), 2016);
+  EXPECT_EQ(level.at("min_hamming"), 12);
+  EXPECT_EQ(level.at("plain"), 132);
+  EXPECT_EQ(level.at("true_min_hamming"), 12);
+  EXPECT_EQ(level.at("safe_radius"), 5);
+  EXPECT_EQ(level.at("passing"), 1884);
+  ASSERT_EQ(level.at("false_accept_rate").size(), 6U);
+  EXPECT_DOUBLE_EQ(level.at("false_accept_rate")[1].at("rate").get<double>(),
+                   4.0 * 2016 * 37 / 68719476736.0);
+
+  const std::string text = tagmint({"info", file}).out;
+  for (const char* part :
+       {"complexity   energy:0.3333; 121100 of 130816 tags pass\n",
+        "Levels, with the false-accept rate of random words by corrected bits\n",
+        "       ids    tags  distance  found  safe radius  at 0 bits  at 2 bits  at the safe radius"
+        "  pass complexity\n",
+        "    0-2015    2016        12     12            5",
+        "Words of the code by Hamming distance from one of them; each turn of a tag is a word\n"}) {
+    EXPECT_NE(text.find(part), std::string::npos) << part << text;
+  }
+}
+
 TEST(GeneratedFamilyTools, FaultsOfTheirFilesAreInputErrors) {
   const ScratchFolder folder;
   std::string text = codec::format_family(codec::Family(generated_16()));

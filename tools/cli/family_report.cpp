@@ -1,7 +1,10 @@
 #include "cli/family_report.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <mutex>
+#include <thread>
 
 #include "tagmint/codec/complexity.h"
 #include "tagmint/codec/family_file.h"
@@ -12,18 +15,45 @@ namespace {
 using codec::ComplexityRule;
 using codec::DecoderEngine;
 
+/// Codewords that a thread takes at a time.
+constexpr std::size_t kCodewordsAtATime = 1024;
+
+/// Threads worth their start.
+int worker_count(int threads, std::size_t codewords) {
+  const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  const auto most = static_cast<int>(codewords / kCodewordsAtATime + 1);
+  return std::min(threads > 0 ? threads : cores, most);
+}
+
 /// Energy is counted in steps of 1 / kEnergySteps.
 constexpr double kEnergySteps = 20.0;
 
-std::map<double, std::size_t> complexity_histogram(const codec::Family& family) {
+using ComplexityHistogram = std::map<double, std::size_t>;
+
+ComplexityHistogram complexity_histogram(const codec::Family& family, int threads) {
   const bool rectangles = family.complexity().rule == ComplexityRule::Rectangles;
   const codec::Complexity measure = {
       .rule = rectangles ? ComplexityRule::Rectangles : ComplexityRule::Energy, .threshold = 0.0};
   const codec::ComplexityJudge judge(family.layout(), measure);
-  std::map<double, std::size_t> histogram;
-  for (const codec::Codeword word : codec::first_codewords(family, family.size())) {
-    const double value = judge.measure(word);
-    ++histogram[rectangles ? value : std::floor(value * kEnergySteps) / kEnergySteps];
+  std::mutex adding;
+  ComplexityHistogram histogram;
+  std::atomic<std::size_t> next{0};
+  const auto work = [&] {
+    ComplexityHistogram own;
+    for (std::size_t first; (first = next.fetch_add(kCodewordsAtATime)) < family.size();) {
+      for (const codec::Codeword word :
+           codec::some_codewords(family, static_cast<codec::TagId>(first), kCodewordsAtATime)) {
+        const double value = judge.measure(word);
+        ++own[rectangles ? value : std::floor(value * kEnergySteps) / kEnergySteps];
+      }
+    }
+    const std::scoped_lock lock(adding);
+    for (const auto& [value, tags] : own) histogram[value] += tags;
+  };
+  {
+    std::vector<std::jthread> others;
+    for (int i = 1; i < worker_count(threads, family.size()); ++i) others.emplace_back(work);
+    work();
   }
   return histogram;
 }
@@ -59,11 +89,12 @@ std::vector<LookupMemory> lookup_memory(const codec::SharedFamily& family) {
 
 FamilyReport make_family_report(codec::SharedFamily family, int threads) {
   FamilyReport report;
-  report.digest = codec::family_digest(*family);
+  report.digest =
+      family->declared_digest().empty() ? codec::family_digest(*family) : family->declared_digest();
   report.stats = codec::family_stats(*family, threads);
   report.complexity_measure =
       family->complexity().rule == ComplexityRule::Rectangles ? "rectangles" : "energy";
-  report.complexity_histogram = complexity_histogram(*family);
+  report.complexity_histogram = complexity_histogram(*family, threads);
   report.lookup = lookup_memory(family);
   report.family = std::move(family);
   return report;

@@ -21,7 +21,7 @@ struct LookupMemory {
 /// Everything that `tagmint info` tells about a family.
 struct FamilyReport {
   codec::SharedFamily family;
-  std::string digest;  ///< SHA-256 over the codewords
+  std::string digest;  ///< SHA-256 over the codewords; as declared where they are generated
   codec::FamilyStats stats;
   /// "rectangles" where that is the family's rule, else "energy".
   std::string complexity_measure;

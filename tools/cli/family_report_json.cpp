@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "cli/family_report.h"
@@ -10,13 +11,35 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// The distances that occur: [{"distance":11,"<counted>":208},...].
-Json histogram_json(const std::vector<std::uint64_t>& histogram, const std::string& counted) {
+template <typename Count>
+Json histogram_json(const std::vector<Count>& histogram, const std::string& counted) {
   Json bars = Json::array();
   for (std::size_t distance = 0; distance < histogram.size(); ++distance) {
     if (histogram[distance] == 0) continue;
     bars.push_back({{"distance", distance}, {counted, histogram[distance]}});
   }
   return bars;
+}
+
+Json rate_json(std::size_t codes, int bits, int errors) {
+  return {{"corrected_bits", errors}, {"rate", codec::false_accept_rate(codes, bits, errors)}};
+}
+
+/// Adds what was found to the levels of family_summary_json().
+void add_levels(const FamilyReport& report, Json& levels) {
+  const int bits = report.family->bits();
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const codec::LevelStats& found = report.stats.levels[i];
+    const int safe = (report.family->levels()[i].min_hamming - 1) / 2;
+    levels[i]["true_min_hamming"] = found.min_hamming;
+    levels[i]["safe_radius"] = safe;
+    levels[i]["passing"] = found.passing;
+    Json rates = Json::array();
+    for (int errors = 0; errors <= std::max(safe, std::min(2, bits)); ++errors) {
+      rates.push_back(rate_json(found.codes, bits, errors));
+    }
+    levels[i]["false_accept_rate"] = rates;
+  }
 }
 
 }  // namespace
@@ -35,12 +58,17 @@ std::string family_report_json(const FamilyReport& report) {
                     {"searched", origin.searched},
                     {"program", origin.program}};
   json["sha256"] = report.digest;
-  json["distance_histogram"] = histogram_json(report.stats.distance_histogram, "pairs");
+  add_levels(report, json["levels"]);
+  if (family.is_listed()) {
+    json["distance_histogram"] = histogram_json(report.stats.distance_histogram, "pairs");
+  } else {
+    json["word_distances"] = histogram_json(report.stats.word_distances, "words");
+  }
   json["self_distance_histogram"] = histogram_json(report.stats.self_histogram, "tags");
   json["false_accept_rate"] = Json::array();
   for (std::size_t bits = 0; bits < report.stats.false_accept_rate.size(); ++bits) {
     json["false_accept_rate"].push_back(
-        {{"corrected_bits", bits}, {"rate", report.stats.false_accept_rate[bits]}});
+        rate_json(family.size(), family.bits(), static_cast<int>(bits)));
   }
   json["complexity_histogram"] = Json::array();
   for (const auto& [value, tags] : report.complexity_histogram) {

@@ -86,27 +86,43 @@ HWY_ATTR std::size_t first_within_four(std::span<const Codeword> words, const Fo
   return i + scalar::first_within(words.subspan(i), probes, radius);
 }
 
-HWY_ATTR void add_distances_of(std::span<const Codeword> words, const FourTurns& probes,
-                               DistanceHistogram& histogram) {
+/// Adds distance(vector of words) of each whole vector of words to the histogram; returns how many
+/// words that are.
+template <typename Distance>
+HWY_ATTR std::size_t add_whole_vectors(std::span<const Codeword> words, const Distance& distance,
+                                       DistanceHistogram& histogram) {
   const Words d;
   const Signed ds;
-  const ProbeVectors vectors = broadcast(probes);
   const std::size_t lanes = hn::Lanes(d);
-  HWY_ALIGN std::int64_t least[hn::MaxLanes(Signed())];
+  HWY_ALIGN std::int64_t found[hn::MaxLanes(Signed())];
   // Most distances are much alike, and a counter cannot be raised again before the last time is
   // through: neighbouring lanes raise counters of different copies.
   DistanceHistogram copies[4] = {};
   std::size_t i = 0;
   for (; i + lanes <= words.size(); i += lanes) {
-    hn::Store(least_distances(hn::LoadU(d, &words[i]), vectors), ds, least);
-    for (std::size_t lane = 0; lane < lanes; ++lane) ++copies[lane % 4][least[lane]];
+    hn::Store(distance(hn::LoadU(d, &words[i])), ds, found);
+    for (std::size_t lane = 0; lane < lanes; ++lane) ++copies[lane % 4][found[lane]];
   }
   for (const DistanceHistogram& copy : copies) {
-    for (std::size_t distance = 0; distance < copy.size(); ++distance) {
-      histogram[distance] += copy[distance];
-    }
+    for (std::size_t at = 0; at < copy.size(); ++at) histogram[at] += copy[at];
   }
-  scalar::add_distances(words.subspan(i), probes, histogram);
+  return i;
+}
+
+HWY_ATTR void add_distances_to_one(std::span<const Codeword> words, Codeword probe,
+                                   DistanceHistogram& histogram) {
+  const WordVector probes = hn::Set(Words(), probe);
+  const std::size_t done = add_whole_vectors(
+      words, [&](WordVector v) HWY_ATTR { return distances(v, probes); }, histogram);
+  scalar::add_distances(words.subspan(done), probe, histogram);
+}
+
+HWY_ATTR void add_distances_to_four(std::span<const Codeword> words, const FourTurns& probes,
+                                    DistanceHistogram& histogram) {
+  const ProbeVectors vectors = broadcast(probes);
+  const std::size_t done = add_whole_vectors(
+      words, [&](WordVector v) HWY_ATTR { return least_distances(v, vectors); }, histogram);
+  scalar::add_distances(words.subspan(done), probes, histogram);
 }
 
 }  // namespace
@@ -120,7 +136,8 @@ namespace {
 
 HWY_EXPORT(first_within_one);
 HWY_EXPORT(first_within_four);
-HWY_EXPORT(add_distances_of);
+HWY_EXPORT(add_distances_to_one);
+HWY_EXPORT(add_distances_to_four);
 
 int least_distance(Codeword word, const FourTurns& probes) {
   return std::min(std::min(hamming_distance(word, probes[0]), hamming_distance(word, probes[1])),
@@ -143,9 +160,13 @@ std::size_t first_within(std::span<const Codeword> words, const FourTurns& probe
   return HWY_DYNAMIC_DISPATCH(first_within_four)(words, probes, radius);
 }
 
+void add_distances(std::span<const Codeword> words, Codeword probe, DistanceHistogram& histogram) {
+  HWY_DYNAMIC_DISPATCH(add_distances_to_one)(words, probe, histogram);
+}
+
 void add_distances(std::span<const Codeword> words, const FourTurns& probes,
                    DistanceHistogram& histogram) {
-  HWY_DYNAMIC_DISPATCH(add_distances_of)(words, probes, histogram);
+  HWY_DYNAMIC_DISPATCH(add_distances_to_four)(words, probes, histogram);
 }
 
 namespace scalar {
@@ -160,6 +181,10 @@ std::size_t first_within(std::span<const Codeword> words, const FourTurns& probe
   std::size_t i = 0;
   while (i < words.size() && least_distance(words[i], probes) > radius) ++i;
   return i;
+}
+
+void add_distances(std::span<const Codeword> words, Codeword probe, DistanceHistogram& histogram) {
+  for (const Codeword word : words) ++histogram[hamming_distance(word, probe)];
 }
 
 void add_distances(std::span<const Codeword> words, const FourTurns& probes,

@@ -28,6 +28,9 @@ std::size_t first_within(std::span<const Codeword> words, Codeword probe, int ra
 /// there is none.
 std::size_t first_within(std::span<const Codeword> words, const FourTurns& probes, int radius);
 
+/// Adds to `histogram`, for each of `words`, its distance to `probe`.
+void add_distances(std::span<const Codeword> words, Codeword probe, DistanceHistogram& histogram);
+
 /// Adds to `histogram`, for each of `words`, the smallest of its distances to the four probes.
 void add_distances(std::span<const Codeword> words, const FourTurns& probes,
                    DistanceHistogram& histogram);
@@ -35,6 +38,7 @@ void add_distances(std::span<const Codeword> words, const FourTurns& probes,
 namespace scalar {
 std::size_t first_within(std::span<const Codeword> words, Codeword probe, int radius);
 std::size_t first_within(std::span<const Codeword> words, const FourTurns& probes, int radius);
+void add_distances(std::span<const Codeword> words, Codeword probe, DistanceHistogram& histogram);
 void add_distances(std::span<const Codeword> words, const FourTurns& probes,
                    DistanceHistogram& histogram);
 }  // namespace scalar
