@@ -132,17 +132,34 @@ CodeChain search_chain(int bits, std::span<const int> distances, const KnownChai
   return chain;
 }
 
+CodeChain search_chain_upward(int bits, std::span<const int> distances, const KnownChain* known,
+                              const Effort& effort, RandomChoice& random) {
+  const TurnCode none(bits);
+  LevelFrame frame = frame_of(none, distances.back(), known);
+  frame.inside = nullptr;
+  const CodeChain::Level whole{
+      search_level(none, distances.back(), std::move(frame), effort, random), distances.back()};
+  CodeChain chain = search_inside(whole, distances.first(distances.size() - 1), effort, random);
+  chain.construction = known != nullptr ? known->name : "quasi-cyclic search";
+  return chain;
+}
+
 CodeChain search_inside(const CodeChain::Level& whole, std::span<const int> distances,
                         const Effort& effort, RandomChoice& random) {
-  CodeChain chain;
-  TurnCode floor(whole.code.bits());
-  for (const int distance : distances) {
-    TurnCode code = search_level(floor, distance, {floor, &whole.code}, effort, random);
-    if (tags_of(code) < std::max(2.0 * tags_of(floor), 2.0)) continue;
-    floor = std::move(code);
-    chain.levels.push_back({floor, distance});
+  const TurnCode none(whole.code.bits());
+  std::vector<CodeChain::Level> found = {whole};
+  for (auto distance = distances.rbegin(); distance != distances.rend(); ++distance) {
+    const TurnCode outer = found.back().code;
+    TurnCode code = search_level(none, *distance, {none, &outer}, effort, random);
+    if (tags_of(code) < 1) break;
+    found.push_back({std::move(code), *distance});
   }
-  chain.levels.push_back({on_top_of(floor, whole.code), whole.distance});
+  CodeChain chain;
+  TurnCode floor = none;
+  for (auto level = found.rbegin(); level != found.rend(); ++level) {
+    floor = on_top_of(floor, level->code);
+    chain.levels.push_back({floor, level->distance});
+  }
   return chain;
 }
 

@@ -38,9 +38,14 @@ double value_of(const CodeChain& chain);
 CodeChain search_chain(int bits, std::span<const int> distances, const KnownChain* known, bool vary,
                        const Effort& effort, RandomChoice& random);
 
-/// Codes with larger distances inside `whole`: for each of `distances`, which fall, as
-/// search_chain(), and `whole` as the last level. Levels that are hardly larger than the one before
-/// are left out.
+/// The other way round: the whole family's code is searched first, then inside it one for the next
+/// larger distance, and so on up to the largest. With `known`, the whole code begins with the
+/// largest of its codes that is far enough.
+CodeChain search_chain_upward(int bits, std::span<const int> distances, const KnownChain* known,
+                              const Effort& effort, RandomChoice& random);
+
+/// Levels inside a code that is there: for each of `distances`, which fall and are larger than
+/// `whole`'s, as search_chain_upward(). Distances whose code has no tag are left out.
 CodeChain search_inside(const CodeChain::Level& whole, std::span<const int> distances,
                         const Effort& effort, RandomChoice& random);
 

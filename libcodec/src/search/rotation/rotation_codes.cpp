@@ -74,18 +74,14 @@ std::vector<int> falling_distances(const RotationCodeOptions& options) {
   return distances;
 }
 
-/// Choices of distances to look for inside a code of the distance that is asked for, up to half of
-/// the bits: which of them leave room for one another shows only when they are tried.
-std::vector<std::vector<int>> inner_distances(const RotationCodeOptions& options) {
-  const int most = options.layout.bits() / 2;
-  std::vector<std::vector<int>> choices(3);
-  for (int distance = most; distance > options.min_hamming; --distance) {
-    const int above = distance - options.min_hamming;
-    if (above % 2 == 0) choices[0].push_back(distance);
-    if (distance % 4 == 0 || above == 2) choices[1].push_back(distance);
-    if (above == 2 || above == 4) choices[2].push_back(distance);
+/// Distances to look for inside a code of the distance that is asked for: by steps of two, up to
+/// half of the bits.
+std::vector<int> inner_distances(const RotationCodeOptions& options) {
+  std::vector<int> distances;
+  for (int distance = options.layout.bits() / 2; distance > options.min_hamming; --distance) {
+    if ((distance - options.min_hamming) % 2 == 0) distances.push_back(distance);
   }
-  return choices;
+  return distances;
 }
 
 /// The search in its steps; each is nothing when it was stopped.
@@ -168,13 +164,18 @@ class CodeSearch {
     });
     const std::size_t sources = known.size() + 1;
     const auto make = [&](std::size_t number) {
+      const int bits = options_.layout.bits();
       RandomChoice random = random_for(options_, 0, number);
       const std::size_t source = number % sources;
       std::optional<KnownChain> fitted;
-      if (source > 0) fitted = fit_chain(known[source - 1], options_.layout.bits(), random);
-      const bool vary = number >= sources && distances.size() > 1;
-      return search_chain(options_.layout.bits(), distances, fitted ? &*fitted : nullptr, vary,
-                          effort(kWordsPerLevel), random);
+      if (source > 0) fitted = fit_chain(known[source - 1], bits, random);
+      const KnownChain* const start = fitted ? &*fitted : nullptr;
+      // The first attempt goes downward through the distances, the second upward, and so on.
+      const std::size_t attempt = number / sources;
+      if (attempt % 2 == 1 && distances.size() > 1) {
+        return search_chain_upward(bits, distances, start, effort(kWordsPerLevel), random);
+      }
+      return search_chain(bits, distances, start, attempt > 0, effort(kWordsPerLevel), random);
     };
     auto best = best_try<CodeChain>("codes", sources * static_cast<std::size_t>(options_.attempts),
                                     make, value_of);
@@ -224,14 +225,12 @@ class CodeSearch {
   }
 
   std::optional<CodeChain> with_inner_levels(const CodeChain& whole) {
-    const std::vector<std::vector<int>> choices = inner_distances(options_);
+    const std::vector<int> distances = inner_distances(options_);
     const auto make = [&](std::size_t number) {
       RandomChoice random = random_for(options_, 1, number);
-      return search_inside(whole.levels.back(), choices[number % choices.size()],
-                           effort(kWordsPerLevel), random);
+      return search_inside(whole.levels.back(), distances, effort(kWordsPerLevel), random);
     };
-    auto best = best_try<CodeChain>("inner levels",
-                                    choices.size() * static_cast<std::size_t>(options_.attempts),
+    auto best = best_try<CodeChain>("inner levels", static_cast<std::size_t>(options_.attempts),
                                     make, value_of);
     if (best) best->construction = whole.construction;
     return best;
@@ -241,9 +240,9 @@ class CodeSearch {
     const int bits = options_.layout.bits();
     if (!options_.levels.empty() || bits > kMostUnionBits) return std::vector<Codeword>();
     // Whether a kernel serves shows after a short search; the best ones then get a long one.
-    constexpr std::size_t kKernels = 64;  // an attempt
-    constexpr double kShortWords = 2e7;
-    constexpr double kLongWords = 5e8;
+    constexpr std::size_t kKernels = 48;  // an attempt
+    constexpr double kShortWords = 1e8;
+    constexpr double kLongWords = 1e9;
     struct Union {
       TurnCode kernel;
       std::vector<Codeword> tags;
@@ -262,7 +261,7 @@ class CodeSearch {
     if (!begun) return std::nullopt;
     std::stable_sort(begun->begin(), begun->end(),
                      [](const Union& a, const Union& b) { return a.tags.size() > b.tags.size(); });
-    const std::size_t finalists = kernels / 16;
+    const std::size_t finalists = kernels / 8;
     const auto go_on = [&](std::size_t number) {
       RandomChoice random = random_for(options_, 3, number);
       WorkBudget budget(effort(kLongWords));
@@ -282,7 +281,8 @@ class CodeSearch {
     const int bits = options_.layout.bits();
     const int dimension = std::max(1, bits - kMostCosetBits) + static_cast<int>(random.below(3));
     ClimbRules rules;
-    rules.weights = {options_.min_hamming + static_cast<int>(random.below(2)), 1};
+    const int divisor = random.below(2) == 0 ? 1 : 4;
+    rules.weights = {(options_.min_hamming + divisor - 1) / divisor * divisor, divisor};
     rules.most_dimensions = dimension;
     WorkBudget budget(effort(kWordsPerLevel));
     TurnCode kernel = climb(TurnCode(bits), rules, random, budget);
