@@ -56,6 +56,7 @@ class InformationSetLookup final : public Decoder::Lookup {
                        int radius)
       : search_(make_search(*index->code(), level, radius)),
         index_(std::move(index)),
+        level_(level),
         ids_(ids),
         radius_(radius) {}
 
@@ -71,7 +72,7 @@ class InformationSetLookup final : public Decoder::Lookup {
     return nearest.match;
   }
 
-  std::size_t table_bytes() const override { return search_.table_bytes() + index_->table_bytes(); }
+  std::size_t table_bytes() const override { return search_.table_bytes() + index_->table_bytes(level_); }
 
  private:
   bool is_chosen(TagId id) const {
@@ -80,6 +81,7 @@ class InformationSetLookup final : public Decoder::Lookup {
 
   InformationSetSearch search_;
   SharedTagIndex index_;
+  std::size_t level_;
   std::span<const TagId> ids_;
   int radius_;
 };

@@ -14,21 +14,11 @@ namespace {
 
 constexpr int kMostHashErrors = 2;  // the table grows with bits^errors
 
-std::vector<TagId> checked_ids(const Family& family, std::vector<TagId> ids) {
-  std::sort(ids.begin(), ids.end());
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-  if (!ids.empty() && ids.back() >= family.size()) {
-    throw std::invalid_argument(fmt::format("id {} is not in {}, which has ids 0 to {}", ids.back(),
-                                            family.name(), family.size() - 1));
-  }
-  return ids;
-}
-
 }  // namespace
 
 Decoder::Decoder(SharedFamily family, DecoderOptions options) : family_(std::move(family)) {
   if (family_ == nullptr) throw std::invalid_argument("a decoder needs a family, not null");
-  chosen_ids_ = checked_ids(*family_, std::move(options.ids));
+  chosen_ids_ = ascending_ids(std::move(options.ids));
   min_hamming_ = distance_of_ids(*family_, chosen_ids_, 1);
   max_errors_ = checked_errors(options);
   engine_ = chosen_engine(options.engine);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <stdexcept>
 #include <vector>
 
@@ -11,6 +12,10 @@
 
 namespace tagmint::codec {
 namespace {
+
+bool is_ascending(std::span<const TagId> ids) {
+  return std::adjacent_find(ids.begin(), ids.end(), std::greater_equal<>()) == ids.end();
+}
 
 int compared_distance(std::span<const Codeword> codewords, int bits, int threads) {
   const Level all{codewords.size(), 1};
@@ -31,21 +36,28 @@ std::size_t level_of_id(const Family& family, TagId last_id) {
   return static_cast<std::size_t>(level - levels.begin());
 }
 
+std::vector<TagId> ascending_ids(std::vector<TagId> ids) {
+  if (is_ascending(ids)) return ids;
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  return ids;
+}
+
 int distance_of_ids(const Family& family, std::span<const TagId> ids, int threads) {
-  std::vector<TagId> sorted(ids.begin(), ids.end());
-  std::sort(sorted.begin(), sorted.end());
-  sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
-  if (sorted.empty()) return family.min_hamming();
-  if (sorted.back() >= family.size()) {
-    throw std::invalid_argument(fmt::format("id {} is not in {}, which has ids 0 to {}",
-                                            sorted.back(), family.name(), family.size() - 1));
+  if (!is_ascending(ids)) {
+    return distance_of_ids(family, ascending_ids({ids.begin(), ids.end()}), threads);
   }
-  const Level& level = family.levels()[level_of_id(family, sorted.back())];
-  const bool whole_level = sorted.size() == level.codes;
-  if (whole_level || sorted.size() > kMostComparedIds) return level.min_hamming;
+  if (ids.empty()) return family.min_hamming();
+  if (ids.back() >= family.size()) {
+    throw std::invalid_argument(fmt::format("id {} is not in {}, which has ids 0 to {}", ids.back(),
+                                            family.name(), family.size() - 1));
+  }
+  const Level& level = family.levels()[level_of_id(family, ids.back())];
+  const bool whole_level = ids.size() == level.codes;
+  if (whole_level || ids.size() > kMostComparedIds) return level.min_hamming;
   std::vector<Codeword> codewords;
-  codewords.reserve(sorted.size());
-  for (const TagId id : sorted) codewords.push_back(family.codeword(id));
+  codewords.reserve(ids.size());
+  for (const TagId id : ids) codewords.push_back(family.codeword(id));
   return compared_distance(codewords, family.bits(), threads);
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <mutex>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -104,9 +105,11 @@ std::optional<TagIndex::Place> TagIndex::find(Codeword word) const {
 
 std::size_t TagIndex::plain(std::size_t number) const { return level(number).tags.plain.ones(); }
 
-std::size_t TagIndex::table_bytes() const {
+std::size_t TagIndex::table_bytes(std::size_t number) const {
   std::size_t bytes = 0;
-  for (const auto& level : levels_) bytes += 2 * RankedBits::bytes(level->places.size());
+  for (const auto& level : std::span(levels_).first(number + 1)) {
+    bytes += 2 * RankedBits::bytes(level->places.size());
+  }
   return bytes;
 }
 

@@ -68,10 +68,13 @@ TEST(IdDistance, ASingleTagIsComparedWithItsOwnTurns) {
 }
 
 TEST(IdDistance, OrderAndRepetitionsDoNotMatter) {
-  const SharedFamily family = find_family("tag36h11");
   const std::vector<TagId> once = {9, 40, 586};
-  const std::vector<TagId> often = {586, 9, 9, 40, 586};
-  EXPECT_EQ(distance_of_ids(*family, once), distance_of_ids(*family, often));
+  EXPECT_EQ(ascending_ids({586, 9, 9, 40, 586}), once);
+  EXPECT_EQ(ascending_ids(once), once);
+  EXPECT_TRUE(ascending_ids({}).empty());
+  const SharedFamily family = find_family("tag36h11");
+  EXPECT_EQ(distance_of_ids(*family, std::vector<TagId>{586, 9, 9, 40, 586}),
+            distance_of_ids(*family, once));
 }
 
 /// Sixteen words of 16 bits that are nothing special, with distances as they are declared here.

@@ -60,11 +60,11 @@ void expect_all_found(const std::vector<Codeword>& basis, const std::vector<Code
   testing::FixedRandom random(5);
   for (int radius = 0; radius <= most; ++radius) {
     const InformationSetSearch search(basis, shifts, bits, radius);
-    for (int probe = 0; probe < 40; ++probe) {
+    for (int probe = 0; probe < 16; ++probe) {
       Codeword word = random.bits() & low_mask(bits);
       if (probe % 2 == 0) {
         word = code[random.bits() % code.size()];
-        for (int flips = 0; flips < probe / 4; ++flips) {
+        for (int flips = 0; flips < probe / 2; ++flips) {
           word ^= Codeword{1} << random.bits() % static_cast<unsigned>(bits);
         }
       }

@@ -148,7 +148,7 @@ TEST(TagIndex, ServesMillionsOfTags) {
   std::size_t plain = 0;
   for (std::size_t level = 0; level < 4; ++level) plain += index.plain(level);
   EXPECT_EQ(index.code()->tags() - plain, 3963257u);
-  EXPECT_LT(index.table_bytes(), std::size_t{8} << 20);
+  EXPECT_LT(index.table_bytes(3), std::size_t{8} << 20);
 
   const TagId first_plain = static_cast<TagId>(index.code()->tags() - index.plain(3));
   testing::FixedRandom random(3);

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <span>
+#include <vector>
 
 #include "tagmint/codec/family.h"
 
@@ -9,6 +10,9 @@ namespace tagmint::codec {
 
 /// Up to so many ids distance_of_ids() compares each with each.
 inline constexpr std::size_t kMostComparedIds = 8192;
+
+/// The ids in ascending order, each once. Cost: O(ids) where they are so already.
+std::vector<TagId> ascending_ids(std::vector<TagId> ids);
 
 /// The Hamming distance of a few tags of a family, which may be larger than that of the whole
 /// family: over all pairs, in every rotation, and between each tag and its own turns.

@@ -53,8 +53,8 @@ class TagIndex {
   /// How many of the tags that a level adds to the one before it fail the complexity rule.
   std::size_t plain(std::size_t level) const;
 
-  /// Bytes of the index once all levels are in use.
-  std::size_t table_bytes() const;
+  /// Bytes of the index once the tags of a level, and of those inside it, are in use.
+  std::size_t table_bytes(std::size_t level) const;
 
  private:
   struct Level;
