@@ -10,6 +10,7 @@
 #include "support/scratch_folder.h"
 #include "support/test_families.h"
 #include "tagmint/codec/builtin_families.h"
+#include "tagmint/codec/errors.h"
 #include "tagmint/codec/family_file.h"
 #include "tagmint/codec/layout_presets.h"
 
@@ -140,6 +141,38 @@ TEST(FamilyKinds, OutputsAreRecognisedByTheirExtension) {
   }
   EXPECT_EQ(family_kind_of_output("a.xml"), nullptr);
   EXPECT_EQ(family_kind_of_output("a.gz"), nullptr);
+}
+
+/// Reads what may be spoilt: a family or one of the faults that are told in one line.
+void read_or_refuse(const FamilyKind& kind, const std::string& content) {
+  const FamilySource source{.path = "x", .name = "x", .content = content};
+  try {
+    kind.read(source, {.threads = 1});
+  } catch (const codec::InputError& fault) {
+    EXPECT_EQ(std::string(fault.what()).find('\n'), std::string::npos) << fault.what();
+    EXPECT_NE(std::string(fault.what()).find("(x"), std::string::npos) << fault.what();
+  }
+}
+
+TEST(FamilyKinds, SpoiltFilesAreReadOrRefusedButNeverHarm) {
+  const Family family = first_tags(*codec::find_family("tag16h5"), 8);
+  for (const auto& [name, file] : {std::pair{"tagmint", "a.json"}, std::pair{"apriltag-c", "a.c"},
+                                   std::pair{"opencv", "a.yml"}, std::pair{"opencv", "a.json"},
+                                   std::pair{"rmsalinas", "a.txt"}, std::pair{"csv", "a.csv"}}) {
+    SCOPED_TRACE(file);
+    const FamilyKind& kind = kind_named(name);
+    const std::string whole = kind.make(family, file, {}).back().content;
+    for (std::size_t length = 0; length < whole.size(); ++length) {
+      read_or_refuse(kind, whole.substr(0, length));
+    }
+    for (std::size_t at = 0; at < whole.size(); ++at) {
+      for (const char c : {'0', '9', '"', '{', '\n', '\\', '\0', '\xff'}) {
+        std::string spoilt = whole;
+        spoilt[at] = c;
+        read_or_refuse(kind, spoilt);
+      }
+    }
+  }
 }
 
 TEST(FirstTags, TakeTheDistanceOfTheSmallestLevelThatHoldsThem) {

@@ -79,7 +79,8 @@ class TableReader {
   }
 
   void read_head() {
-    const std::size_t at = lines_.at(0).text.find_first_of(kSeparators);
+    if (lines_.empty()) fail(0, "the table is empty", "its first line is id,codeword,cells");
+    const std::size_t at = lines_[0].text.find_first_of(kSeparators);
     separator_ = at == std::string_view::npos ? ',' : lines_[0].text[at];
     head_ = fields_of(lines_[0].text, separator_);
     id_ = column("id");

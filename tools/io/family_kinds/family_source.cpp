@@ -44,13 +44,18 @@ std::string name_from_path(const FamilySource& source) {
   std::string name = path.filename().string();
   // Every extension goes: my.yml.gz is "my".
   if (!source.is_folder) name = name.substr(0, std::max<std::size_t>(name.find('.'), 1));
+  name = possible_name(name);
+  return name.empty() ? "family" : name;
+}
+
+std::string possible_name(std::string_view text) {
+  std::string name(text);
   for (char& c : name) {
-    const auto code = static_cast<unsigned char>(c);
-    const bool possible = (code >= '0' && code <= '9') || (code >= 'A' && code <= 'Z') ||
-                          (code >= 'a' && code <= 'z') || c == '_' || c == '-';
+    const bool possible = (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') ||
+                          (c >= 'a' && c <= 'z') || c == '_' || c == '-' || c == '.';
     if (!possible) c = '_';
   }
-  return name.empty() ? "family" : name;
+  return name;
 }
 
 void fail_in_source(std::string_view what, const FamilySource& source, int line,

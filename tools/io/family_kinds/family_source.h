@@ -21,6 +21,9 @@ FamilySource read_family_source(const std::string& path);
 /// '_' for what names of families cannot hold; "family" where nothing is left.
 std::string name_from_path(const FamilySource& source);
 
+/// The text with '_' for the characters that names of families cannot hold.
+std::string possible_name(std::string_view text);
+
 /// Throws the codec::InputError "WHAT (SOURCE:LINE); MEND"; what a text quotes is made printable.
 ///   line   from 1; 0 = of no line
 [[noreturn]] void fail_in_source(std::string_view what, const FamilySource& source, int line,

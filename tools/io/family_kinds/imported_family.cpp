@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 #include <unordered_map>
+#include <utility>
 
 #include "io/family_kinds/family_changes.h"
 #include "io/family_kinds/family_note.h"
@@ -83,16 +84,13 @@ int computed_distance(const ImportedFamily& imported, const FamilySource& source
 std::optional<codec::Family> noted_family(const ImportedFamily& imported,
                                           const FamilyReadOptions& options,
                                           std::vector<std::string>& notes) {
-  if (!imported.note) return std::nullopt;
+  // A user who says otherwise knows better than the note.
+  if (!imported.note || options.min_hamming || options.layout) return std::nullopt;
   std::optional<codec::Family> noted = family_of_note(*imported.note, imported.codewords);
-  const bool same =
-      noted && noted->layout().bits() == imported.layout.bits() &&
-      std::ranges::equal(noted->layout().data_cells(), imported.layout.data_cells()) &&
-      (!imported.min_hamming || *imported.min_hamming == noted->min_hamming());
-  const bool overridden =
-      noted && ((options.min_hamming && *options.min_hamming != noted->min_hamming()) ||
-                (options.layout && *options.layout != noted->layout()));
-  if (same && !overridden) return noted;
+  if (noted && std::ranges::equal(noted->layout().data_cells(), imported.layout.data_cells()) &&
+      (!imported.min_hamming || *imported.min_hamming == noted->min_hamming())) {
+    return noted;
+  }
   notes.emplace_back("the note that tagmint left in the file does not belong to it; passed over");
   return std::nullopt;
 }
@@ -103,25 +101,22 @@ ReadFamily make_imported(ImportedFamily imported, const FamilySource& source,
                          const FamilyReadOptions& options) {
   check_codewords(imported, source);
   std::vector<std::string> notes;
-  if (std::optional<codec::Family> noted = noted_family(imported, options, notes)) {
-    const std::string& name = !options.name.empty()    ? options.name
-                              : !imported.name.empty() ? imported.name
-                                                       : noted->name();
-    if (name == noted->name()) return {std::move(*noted), notes};
-    return {renamed(*noted, name), notes};
+  const std::string written = std::exchange(imported.name, possible_name(imported.name));
+  if (written != imported.name && options.name.empty()) {
+    notes.emplace_back("the file has another name, which cannot be that of a family; see --name");
   }
   if (!options.name.empty()) imported.name = options.name;
+  if (std::optional<codec::Family> noted = noted_family(imported, options, notes)) {
+    if (imported.name.empty() || imported.name == noted->name()) return {std::move(*noted), notes};
+    return {renamed(*noted, imported.name), notes};
+  }
   if (imported.name.empty()) imported.name = name_from_path(source);
   if (options.min_hamming) imported.min_hamming = options.min_hamming;
   if (!imported.min_hamming) {
     imported.min_hamming = computed_distance(imported, source, options.threads, notes);
   }
-  try {
-    const int min_hamming = *imported.min_hamming;
-    return {codec::Family(parts_of(std::move(imported), min_hamming)), notes};
-  } catch (const std::invalid_argument& fault) {
-    fail_in_source(fault.what(), source, 0, "correct the file, or use --name or --min-hamming");
-  }
+  const int min_hamming = *imported.min_hamming;
+  return {codec::Family(parts_of(std::move(imported), min_hamming)), notes};
 }
 
 }  // namespace tagmint::io
