@@ -169,6 +169,17 @@ TEST(ImportedDictionary, AprilTagDictionariesAreRecognisedAndTurnedUpright) {
   }
 }
 
+TEST(OlderSystem, ArucoOriginalIsOpenCvsDictionary) {
+  const test::ScratchFolder folder;
+  run({"convert", "aruco-original", "-o", folder.file("ours.json")});
+  const codec::SharedFamily ours = codec::load_family(folder.file("ours.json"));
+  const auto theirs = aruco::getPredefinedDictionary(aruco::DICT_ARUCO_ORIGINAL);
+  ASSERT_EQ(static_cast<int>(ours->size()), theirs->bytesList.rows);
+  for (int id = 0; id < theirs->bytesList.rows; ++id) {
+    EXPECT_EQ(bits_of(*ours, static_cast<codec::TagId>(id)), bits_of(*theirs, id)) << id;
+  }
+}
+
 struct Predefined {
   aruco::PREDEFINED_DICTIONARY_NAME name;
   int codes;

@@ -183,18 +183,21 @@ TEST(FirstTags, TakeTheDistanceOfTheSmallestLevelThatHoldsThem) {
                        .codewords = {flat->codewords().begin(), flat->codewords().end()},
                        .complexity = {},
                        .origin = {},
-                       .levels = {{2, 9}, {5, 6}, {10, 2}}});
+                       .levels = {{2, 9}, {5, 6, 1}, {10, 2, 3}}});
   const auto levels = [&](std::size_t codes) {
     const Family part = first_tags(nested, codes);
     EXPECT_EQ(part.size(), codes);
     EXPECT_EQ(part.min_hamming(), part.levels().back().min_hamming);
     return std::vector<codec::Level>(part.levels().begin(), part.levels().end());
   };
-  EXPECT_EQ(levels(1), (std::vector<codec::Level>{{1, 9}}));
-  EXPECT_EQ(levels(2), (std::vector<codec::Level>{{2, 9}}));
-  EXPECT_EQ(levels(3), (std::vector<codec::Level>{{2, 9}, {3, 6}}));
-  EXPECT_EQ(levels(5), (std::vector<codec::Level>{{2, 9}, {5, 6}}));
-  EXPECT_EQ(levels(10), (std::vector<codec::Level>{{2, 9}, {5, 6}, {10, 2}}));
+  using Levels = std::vector<codec::Level>;
+  EXPECT_EQ(levels(1), (Levels{{1, 9}}));
+  EXPECT_EQ(levels(2), (Levels{{2, 9}}));
+  EXPECT_EQ(levels(3), (Levels{{2, 9}, {3, 6}}));
+  EXPECT_EQ(levels(5), (Levels{{2, 9}, {5, 6, 1}}));
+  EXPECT_EQ(levels(6), (Levels{{2, 9}, {5, 6, 1}, {6, 2}}));
+  EXPECT_EQ(levels(9), (Levels{{2, 9}, {5, 6, 1}, {9, 2, 2}}));
+  EXPECT_EQ(levels(10), (Levels{{2, 9}, {5, 6, 1}, {10, 2, 3}}));
 }
 
 }  // namespace

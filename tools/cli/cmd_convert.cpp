@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -20,6 +21,7 @@
 #include "io/atomic_folder.h"
 #include "io/family_kinds/family_changes.h"
 #include "io/family_kinds/family_kind.h"
+#include "io/family_kinds/older_systems.h"
 #include "tagmint/codec/builtin_families.h"
 #include "tagmint/codec/layout_presets.h"
 #include "tagmint/codec/suggest.h"
@@ -78,12 +80,26 @@ io::FamilyReadOptions read_options(const Options& options, const Common& common)
   return read;
 }
 
-/// The family of IN: a bundled one, or that of a file or folder.
+[[noreturn]] void throw_unknown_input(const std::string& name) {
+  const std::span<const std::string> bundled = codec::family_names();
+  std::vector<std::string> names(bundled.begin(), bundled.end());
+  for (std::string& older : io::older_system_names()) names.push_back(std::move(older));
+  std::string hint = codec::did_you_mean(name, names);
+  if (!hint.empty()) hint += ' ';
+  throw codec::InputError(fmt::format("no family '{}' is bundled and no file has that name", name),
+                          "", hint + "`tagmint families` lists the bundled ones");
+}
+
+/// The family of IN: a bundled one, that of a file or folder, or of an older system.
 io::ReadFamily read_input_family(const Options& options, const Common& common) {
   const io::FamilyReadOptions read = read_options(options, common);
   std::error_code unknown;
   const bool bundled = options.from.empty() && codec::find_family(options.input) != nullptr;
   if (bundled || (options.input != "-" && !std::filesystem::exists(options.input, unknown))) {
+    if (auto older = bundled ? std::nullopt : io::find_older_system(options.input, read)) {
+      return std::move(*older);
+    }
+    if (!bundled) throw_unknown_input(options.input);
     return {io::with_options(*codec::load_family(options.input), read)};
   }
   const io::FamilySource source = io::read_family_source(options.input);
@@ -96,8 +112,8 @@ io::ReadFamily read_input_family(const Options& options, const Common& common) {
   return kind.read(source, read);
 }
 
-/// The family as it goes into the kind: cut where the user or the kind wants fewer tags, which is
-/// said.
+/// The family as it goes into the kind: with its codewords listed unless the kind holds generators,
+/// and cut where the user or the kind wants fewer tags, which is said.
 codec::Family fitted(codec::Family family, const io::FamilyKind& kind, const Options& options,
                      const Common& common) {
   const std::size_t size = family.size();
@@ -109,7 +125,10 @@ codec::Family fitted(codec::Family family, const io::FamilyKind& kind, const Opt
                      "ask for fewer");
   }
   const std::size_t fitting = kind.most_codes == 0 ? wanted : std::min(wanted, kind.most_codes);
-  if (fitting == size) return family;
+  if (fitting == size) {
+    const bool as_it_is = family.is_listed() || kind.holds_generators;
+    return as_it_is ? std::move(family) : io::first_tags(family, size);
+  }
   codec::Family part = io::first_tags(family, fitting);
   const std::string reason =
       fitting < wanted ? fmt::format("{}", kind.limit_reason) : "--codes asks for no more";
@@ -159,10 +178,12 @@ int run(const Options& options, const Common& common) {
 Runner set_up(CLI::App& app, const Common& common) {
   app.description(
       "Kinds: tagmint (.json), apriltag-c (.c and .h), opencv (.yml, .yaml, .json.gz, ...), png (a "
-      "folder), rmsalinas (.txt, .dict), csv. IN's kind is seen from its content.");
+      "folder), rmsalinas (.txt, .dict), csv. IN's kind is seen from its content. Older systems: "
+      "aruco-original, artoolkitplus-bch, artag, ... (docs/convert.md).");
   auto options = std::make_shared<Options>();
   Options& o = *options;
-  app.add_option("IN", o.input, "bundled family, file or folder; - is stdin")->required();
+  app.add_option("IN", o.input, "bundled family, file, folder or older system; - is stdin")
+      ->required();
   add_output(app, o.output, "file or folder to write")->required()->default_str("");
   add_choice(app, "--to", o.to, io::family_kind_names(), "kind of OUT; else by its extension")
       ->type_name("KIND");

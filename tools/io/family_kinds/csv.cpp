@@ -200,6 +200,8 @@ ReadFamily read(const FamilySource& source, const FamilyReadOptions& options) {
 std::vector<FamilyFile> make(const codec::Family& family, const std::string& target,
                              const FamilyWriteOptions&) {
   std::string content = "id,codeword,cells\n";
+  const auto width = static_cast<std::size_t>(family.layout().width());
+  content.reserve(family.size() * (32 + width * (width + 1)));
   for (codec::TagId id = 0; id < family.size(); ++id) {
     const Codeword word = family.codeword(id);
     fmt::format_to(std::back_inserter(content), "{},{},{}\n", id, codec::to_hex(word),

@@ -1,5 +1,6 @@
 #include "io/family_kinds/family_changes.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -10,13 +11,19 @@ using codec::Family;
 using codec::FamilyParts;
 
 FamilyParts parts_of(const Family& family) {
-  return {.name = family.name(),
-          .layout = family.layout(),
-          .min_hamming = family.min_hamming(),
-          .codewords = {family.codewords().begin(), family.codewords().end()},
-          .complexity = family.complexity(),
-          .origin = family.origin(),
-          .levels = {family.levels().begin(), family.levels().end()}};
+  FamilyParts parts{.name = family.name(),
+                    .layout = family.layout(),
+                    .min_hamming = family.min_hamming(),
+                    .codewords = {},
+                    .complexity = family.complexity(),
+                    .origin = family.origin(),
+                    .levels = {family.levels().begin(), family.levels().end()},
+                    .generator = family.generator(),
+                    .declared_digest = family.declared_digest()};
+  if (family.is_listed()) {
+    parts.codewords.assign(family.codewords().begin(), family.codewords().end());
+  }
+  return parts;
 }
 
 }  // namespace
@@ -42,11 +49,17 @@ Family with_options(Family family, const FamilyReadOptions& options) {
 
 Family first_tags(const Family& family, std::size_t codes) {
   FamilyParts parts = parts_of(family);
-  parts.codewords.resize(codes);
+  parts.codewords = codec::first_codewords(family, codes);
+  parts.generator = nullptr;
+  parts.declared_digest.clear();
   parts.levels.clear();
   for (codec::Level level : family.levels()) {
     const bool last = level.codes >= codes;
-    if (last) level.codes = codes;
+    if (last) {
+      // The plain tags of a level are its last ones.
+      level.plain -= std::min(level.plain, level.codes - codes);
+      level.codes = codes;
+    }
     parts.levels.push_back(level);
     if (last) break;
   }

@@ -59,16 +59,18 @@ struct FamilyKind {
   std::vector<std::string_view> extensions = {};  ///< of outputs, lower case, with the dot
   bool is_folder = false;                         ///< one file a tag in a folder of its own
   bool one_file = true;                           ///< could go to stdout
-  std::size_t most_codes = 0;                     ///< that the kind can hold; 0 = any number
-  std::string_view limit_reason = {};             ///< why not more: "libapriltag holds no more"
+  bool holds_generators = false;       ///< could hold a family whose codewords are not listed
+  std::size_t most_codes = 0;          ///< that the kind can hold; 0 = any number
+  std::string_view limit_reason = {};  ///< why not more: "libapriltag holds no more"
 
   /// Whether the content (or folder) is of this kind; looks at marks, not at the whole.
   bool (*recognises)(const FamilySource& source) = nullptr;
   /// Throws codec::InputError with file and line for what is malformed, std::invalid_argument for
   /// options that contradict the input.
   ReadFamily (*read)(const FamilySource& source, const FamilyReadOptions& options) = nullptr;
-  /// The files of `family`, whose codewords are listed, where the output is called `target`.
-  /// Throws std::invalid_argument with the reason for what the kind cannot hold.
+  /// The files of `family`, whose codewords are listed unless the kind holds generators, where the
+  /// output is called `target`. Throws std::invalid_argument with the reason for what the kind
+  /// cannot hold.
   std::vector<FamilyFile> (*make)(const codec::Family& family, const std::string& target,
                                   const FamilyWriteOptions& options) = nullptr;
 };

@@ -1,5 +1,8 @@
 #include "io/family_kinds/family_note.h"
 
+#include <fmt/format.h>
+
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <span>
 
@@ -11,23 +14,26 @@ namespace tagmint::io {
 using Json = nlohmann::ordered_json;
 
 std::string family_note(const codec::Family& family) {
-  Json note = Json::parse(codec::format_family(family));
-  note.erase("codes");
+  // The codewords are the last key of a family file.
+  std::string text = codec::format_family(family);
+  text.erase(text.rfind("\"codes\""));
+  text.erase(text.rfind(','));
   constexpr bool kAsciiOnly = true;
-  return note.dump(-1, ' ', kAsciiOnly);
+  return Json::parse(text + "}").dump(-1, ' ', kAsciiOnly);
 }
 
 std::optional<codec::Family> family_of_note(std::string_view note,
                                             std::span<const codec::Codeword> codewords) {
-  Json json = Json::parse(note, nullptr, false);
-  if (!json.is_object()) return std::nullopt;
-  Json& codes = json["codes"] = Json::array();
-  for (const codec::Codeword word : codewords) codes.push_back(codec::to_hex(word));
+  const std::size_t end = note.rfind('}');
+  if (end == std::string_view::npos) return std::nullopt;
+  std::string text = fmt::format("{},\"codes\":[", note.substr(0, end));
+  for (std::size_t id = 0; id < codewords.size(); ++id) {
+    fmt::format_to(std::back_inserter(text), "{}\"{}\"", id == 0 ? "" : ",",
+                   codec::to_hex(codewords[id]));
+  }
   try {
-    return codec::parse_family(json.dump(), "note");
+    return codec::parse_family(text + "]}", "note");
   } catch (const codec::InputError&) {
-    return std::nullopt;
-  } catch (const Json::exception&) {  // a text of the note that is no UTF-8
     return std::nullopt;
   }
 }

@@ -77,6 +77,7 @@ std::vector<FamilyFile> make(const codec::Family& family, const std::string& tar
   require_square(family, "a rmsalinas dictionary");
   const DataSquare square(family.layout());
   std::string content = fmt::format("name {}\nnbits {}\n", family.name(), family.bits());
+  content.reserve(content.size() + family.size() * (static_cast<std::size_t>(family.bits()) + 1));
   for (const codec::Codeword word : family.codewords()) {
     content += square.characters(word);
     content += '\n';

@@ -26,6 +26,7 @@ FamilyKind tagmint_json_kind() {
   return {.name = "tagmint",
           .summary = "tagmint's own family file, holds everything",
           .extensions = {".json"},
+          .holds_generators = true,
           .recognises = recognises,
           .read = read,
           .make = make};
