@@ -53,8 +53,8 @@ const std::size_t kSizeBeforeMain = find_family("tagCustom48h12")->size();
 
 TEST(BuiltinFamilies, AreThereBeforeMain) { EXPECT_EQ(kSizeBeforeMain, 42211u); }
 
-TEST(BuiltinFamilies, AreThePublishedAndTheCompletedOnes) {
-  ASSERT_EQ(family_names().size(), kBundled.size());
+TEST(BuiltinFamilies, BeginWithThePublishedAndTheCompletedOnes) {
+  ASSERT_GE(family_names().size(), kBundled.size());
   for (std::size_t i = 0; i < kBundled.size(); ++i) {
     const Bundled& bundled = kBundled[i];
     EXPECT_EQ(family_names()[i], bundled.name);
@@ -102,6 +102,7 @@ TEST(BuiltinFamilies, AreTheFilesOfTheFolder) {
 
 TEST(BuiltinFamilies, ObeyTheirComplexityRule) {
   for (const std::string& name : family_names()) {
+    if (name.starts_with("rot")) continue;  // bundled_rotation_codes_test.cpp: some are plain
     const SharedFamily family = find_family(name);
     const ComplexityJudge judge(family->layout(), family->complexity());
     const std::size_t step = family->size() > 3000 ? 50 : 1;

@@ -6,10 +6,12 @@
 #include <bit>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tagmint/codec/builtin_families.h"
 #include "tagmint/codec/complexity.h"
+#include "tagmint/codec/layout_presets.h"
 #include "tagmint/codec/rotation.h"
 
 namespace tagmint::codec {
@@ -109,6 +111,44 @@ LevelProof proof_by_weights(const RotationCode& code, std::size_t number) {
   return proof;
 }
 
+/// What docs/rotation-codes.md says of a family; levels without `plain`, which the rule decides.
+struct Documented {
+  std::string name;
+  std::string layout;
+  std::vector<std::pair<std::size_t, int>> levels;  // tags and distance
+};
+
+// clang-format off
+const std::vector<Documented> kDocumented = {
+    {"rot16h5", "classic:8", {{3, 8}, {60, 5}}},
+    {"rot21h7", "circle:9", {{140, 7}}},
+    {"rot25h8", "classic:9", {{3, 12}, {1008, 8}}},
+    {"rot25h9", "classic:9", {{64, 9}}},
+    {"rot36", "classic:10", {{60, 16}, {2016, 12}, {8128, 10}, {130816, 8}}},
+    {"rot41", "standard:9", {{256, 16}, {16320, 12}}},
+    {"rot48", "custom:dddddddddd/dbbbbbbbbd/dbwwwwwwbd/dbwddddwbd/dbwdxxdwbd/dbwdxxdwbd/dbwddddwbd/dbwwwwwwbd/dbbbbbbbbd/dddddddddd", {{120, 20}, {16320, 16}, {4193280, 12}}},
+    {"rot49", "circle:11", {{120, 20}, {16320, 16}, {4193280, 12}}},
+    {"rot52", "standard:10", {{32, 24}, {1008, 20}, {65280, 16}, {4192256, 12}}},
+    {"rot52h14", "standard:10", {{32, 24}, {1008, 20}, {65280, 16}, {261888, 14}}},
+    {"rot64", "classic:12", {{32, 32}, {240, 28}, {16128, 24}, {65280, 22}, {4177920, 16}}},
+};
+// clang-format on
+
+TEST(BundledRotationCodes, HaveTheDocumentedLevels) {
+  const std::vector<SharedFamily> families = rotation_families();
+  ASSERT_EQ(families.size(), kDocumented.size());
+  for (std::size_t i = 0; i < families.size(); ++i) {
+    EXPECT_EQ(families[i]->name(), kDocumented[i].name);
+    EXPECT_EQ(layout_name(families[i]->layout()), kDocumented[i].layout) << kDocumented[i].name;
+    std::vector<std::pair<std::size_t, int>> levels;
+    for (const Level& level : families[i]->levels()) {
+      levels.emplace_back(level.codes, level.min_hamming);
+    }
+    EXPECT_EQ(levels, kDocumented[i].levels) << kDocumented[i].name;
+    EXPECT_EQ(families[i]->origin().method, "rotation-code");
+  }
+}
+
 TEST(BundledRotationCodes, EachLevelOfUpTo20000TagsKeepsItsDistanceByAllPairs) {
   for (const SharedFamily& family : rotation_families()) {
     for (const Level& level : family->levels()) {
@@ -139,11 +179,12 @@ TEST(BundledRotationCodes, TagsOfALevelThatPassTheRuleComeFirst) {
     for (const Level& level : family->levels()) {
       const std::vector<Codeword> own =
           some_codewords(*family, static_cast<TagId>(first), level.codes - first);
-      const auto plain = std::find_if(own.begin(), own.end(),
-                                      [&](Codeword word) { return !judge.accepts(word); });
+      const auto plain =
+          std::find_if(own.begin(), own.end(), [&](Codeword word) { return !judge.accepts(word); });
       EXPECT_EQ(own.end() - plain, static_cast<std::ptrdiff_t>(level.plain)) << family->name();
-      EXPECT_TRUE(std::none_of(plain, own.end(), [&](Codeword word) { return judge.accepts(word); }))
-          << family->name();
+      EXPECT_TRUE(std::none_of(plain, own.end(), [&](Codeword word) {
+        return judge.accepts(word);
+      })) << family->name();
       first = level.codes;
     }
   }

@@ -23,9 +23,10 @@ TEST(Families, JsonHasExactlyThePromisedKeys) {
   for (std::size_t i = 0; i < families.size(); ++i) {
     EXPECT_EQ(families[i].at("name"), codec::family_names()[i]);
     EXPECT_EQ(families[i].size(), 9U);
-    EXPECT_EQ(
-        families[i].at("levels").back(),
-        (Json{{"codes", families[i].at("codes")}, {"min_hamming", families[i].at("min_hamming")}}));
+    const Json& last = families[i].at("levels").back();
+    EXPECT_EQ(last.at("codes"), families[i].at("codes"));
+    EXPECT_EQ(last.at("min_hamming"), families[i].at("min_hamming"));
+    EXPECT_EQ(last.size(), last.contains("plain") ? 3U : 2U);
   }
 }
 
@@ -50,7 +51,7 @@ TEST(Families, TextHasOneLineAFamilyUnderItsHeader) {
   EXPECT_TRUE(text.starts_with("name ")) << text;
   EXPECT_EQ(static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')),
             codec::family_names().size() + 1);
-  EXPECT_NE(text.find("tag36h11             36    587        11     5        8/10  classic:10"),
+  EXPECT_NE(text.find("tag36h11             36      587        11     5        8/10  classic:10"),
             std::string::npos)
       << text;
 }

@@ -127,9 +127,9 @@ codec::Family fitted(codec::Family family, const io::FamilyKind& kind, const Opt
   const std::size_t fitting = kind.most_codes == 0 ? wanted : std::min(wanted, kind.most_codes);
   if (fitting == size) {
     const bool as_it_is = family.is_listed() || kind.holds_generators;
-    return as_it_is ? std::move(family) : io::first_tags(family, size);
+    return as_it_is ? std::move(family) : codec::first_tags(family, size);
   }
-  codec::Family part = io::first_tags(family, fitting);
+  codec::Family part = codec::first_tags(family, fitting);
   const std::string reason =
       fitting < wanted ? fmt::format("{}", kind.limit_reason) : "--codes asks for no more";
   say(common,

@@ -230,7 +230,7 @@ Runner set_up(CLI::App& app, const Common& common) {
       ->type_name("N");
   add_output(app, options->output, "family file, .json");
   app.add_option("--checkpoint", options->checkpoint,
-                 "keep in FILE, up to 0.6 GB, what it takes to go on after any end")
+                 "keep in FILE, up to 0.6 GB, what --resume needs")
       ->type_name("FILE");
   app.add_flag("--resume", options->resume, "go on from the checkpoint where there is one");
   return [options, &common] { return run(*options, common); };

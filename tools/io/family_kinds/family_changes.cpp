@@ -1,6 +1,5 @@
 #include "io/family_kinds/family_changes.h"
 
-#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -45,26 +44,6 @@ Family with_options(Family family, const FamilyReadOptions& options) {
   }
   if (options.name.empty() || options.name == family.name()) return family;
   return renamed(family, options.name);
-}
-
-Family first_tags(const Family& family, std::size_t codes) {
-  FamilyParts parts = parts_of(family);
-  parts.codewords = codec::first_codewords(family, codes);
-  parts.generator = nullptr;
-  parts.declared_digest.clear();
-  parts.levels.clear();
-  for (codec::Level level : family.levels()) {
-    const bool last = level.codes >= codes;
-    if (last) {
-      // The plain tags of a level are its last ones.
-      level.plain -= std::min(level.plain, level.codes - codes);
-      level.codes = codes;
-    }
-    parts.levels.push_back(level);
-    if (last) break;
-  }
-  parts.min_hamming = parts.levels.back().min_hamming;
-  return Family(std::move(parts));
 }
 
 }  // namespace tagmint::io
