@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cstdio>
 #include <exception>
 #include <numeric>
@@ -44,11 +45,11 @@ std::vector<codec::Codeword> words_of(const Case& one, Words kind) {
     }
     const std::size_t ids = family.levels()[one.level].codes;
     const codec::Codeword tag = family.codeword(static_cast<codec::TagId>(random.bits() % ids));
-    codec::Codeword word = tag;
-    while (codec::hamming_distance(word, tag) < one.errors) {
-      word ^= codec::Codeword{1} << random.between(0, family.bits() - 1);
+    codec::Codeword flips = 0;
+    while (std::popcount(flips) < one.errors) {
+      flips |= codec::Codeword{1} << random.between(0, family.bits() - 1);
     }
-    words.push_back(word);
+    words.push_back(tag ^ flips);
   }
   return words;
 }

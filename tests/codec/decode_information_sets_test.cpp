@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <map>
 #include <memory>
 #include <numeric>
@@ -33,9 +34,9 @@ SharedTagIndex make_index(const RotationCodeParts& parts, const std::string& lay
 
 /// `word` with `errors` different bits flipped.
 Codeword damaged(Codeword word, int bits, int errors, testing::FixedRandom& random) {
-  const Codeword whole = word;
-  while (hamming_distance(word, whole) < errors) word ^= Codeword{1} << random.between(0, bits - 1);
-  return word;
+  Codeword flips = 0;
+  while (std::popcount(flips) < errors) flips |= Codeword{1} << random.between(0, bits - 1);
+  return word ^ flips;
 }
 
 /// Compares one level with the reference on the list of its tags, or of `ids` of it, on random
