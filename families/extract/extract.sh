@@ -9,7 +9,7 @@ trap 'rm -rf "$work"' EXIT
 
 # The family files are part of the library, so what writes them is built from single sources.
 sources=(atomic_file codeword codeword_digest colour_changes complexity errors family
-         family_builder family_document family_file family_rules kernels/orbit_kernels layout
+         family_builder family_document family_fields family_file family_rules kernels/orbit_kernels layout
          layout_presets level_tags posix_file rectangle_painter rotation_code sha256 suggest
          tag_index)
 paths=()
