@@ -125,6 +125,7 @@ const std::vector<Documented> kDocumented = {
     {"rot25h8", "classic:9", {{3, 12}, {1008, 8}}},
     {"rot25h9", "classic:9", {{64, 9}}},
     {"rot36", "classic:10", {{60, 16}, {2016, 12}, {8128, 10}, {130816, 8}}},
+    {"rot36h10", "classic:10", {{120, 14}, {240, 12}, {16320, 10}}},
     {"rot41", "standard:9", {{256, 16}, {16320, 12}}},
     {"rot48", "custom:dddddddddd/dbbbbbbbbd/dbwwwwwwbd/dbwddddwbd/dbwdxxdwbd/dbwdxxdwbd/dbwddddwbd/dbwwwwwwbd/dbbbbbbbbd/dddddddddd", {{120, 20}, {16320, 16}, {4193280, 12}}},
     {"rot49", "circle:11", {{120, 20}, {16320, 16}, {4193280, 12}}},
