@@ -59,6 +59,7 @@ inline constexpr std::size_t kMostListedTags = 1024;
 ///   - climbing through closed linear codes, one dimension at a time, from nothing (quasi-cyclic
 ///     search) and from shortened codes of the literature, with one code inside the other for the
 ///     levels;
+///   - annealing quasi-cyclic codes of up to 16 dimensions;
 ///   - unions of cosets of a small code, where the layout has at most 25 bits and no levels are
 ///     asked for;
 ///   - for small families and at most 41 bits, further words by the lexicode search.
