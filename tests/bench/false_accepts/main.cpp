@@ -73,10 +73,11 @@ void write_csv(const std::string& folder, const std::string& name, const Table& 
 void run(const Arguments& arguments) {
   const std::vector<MeasuredCode> codes = measured_codes(arguments.families);
   if (arguments.words.words_at_two > 0) {
-    const Table table = random_words_table(codes, arguments.words);
-    fmt::print("Random words\n\n{}\n", as_markdown(table));
+    const std::vector<RandomWords> counts = count_random_words(codes, arguments.words);
+    fmt::print("{}\n{}\n\n", as_markdown(random_words_table(counts, codes)),
+               agreement(counts, codes));
     std::fflush(stdout);
-    write_csv(arguments.csv, "random_words", table);
+    write_csv(arguments.csv, "random_words", random_words_by_errors(counts, codes));
   }
   if (arguments.folders.empty()) return;
   const std::vector<std::string> files = find_pictures(arguments.folders);

@@ -64,6 +64,13 @@ Interval confidence(std::uint64_t hits, std::uint64_t trials) {
   return {hits == 0 ? 0 : middle - half, hits == trials ? 1 : middle + half};
 }
 
+std::string beside(std::uint64_t counted, double expected) {
+  const char* form = expected >= 1000  ? "{} ({:.0f})"
+                     : expected >= 0.1 ? "{} ({:.1f})"
+                                       : "{} ({:.0e})";
+  return fmt::format(fmt::runtime(form), counted, expected);
+}
+
 std::string as_markdown(const Table& table) {
   std::string text;
   for (std::size_t i = 0; i < table.size(); ++i) {

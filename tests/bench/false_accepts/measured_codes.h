@@ -44,6 +44,8 @@ Interval confidence(std::uint64_t hits, std::uint64_t trials);
 
 /// Rows of cells; the first is the header.
 using Table = std::vector<std::vector<std::string>>;
+/// "12 (10.4)": counted, and what the formula expects.
+std::string beside(std::uint64_t counted, double expected);
 std::string as_markdown(const Table& table);
 std::string as_csv(const Table& table);
 

@@ -127,13 +127,6 @@ std::uint64_t accepted_between(const QuadCounts& counts, int first, int last) {
   return sum;
 }
 
-/// "12 (10.4)": counted, and what random words would give.
-std::string beside(std::uint64_t counted, double expected) {
-  return fmt::format(
-      "{} ({})", counted,
-      expected >= 0.1 ? fmt::format("{:.1f}", expected) : fmt::format("{:.1g}", expected));
-}
-
 }  // namespace
 
 std::vector<std::string> find_pictures(const std::vector<std::string>& folders) {

@@ -30,20 +30,22 @@ int threads_of(int asked) {
 }
 
 std::vector<std::string> row_of(const MeasuredCode& code, int errors, const WordCounts& counts) {
-  const double expected = code.share_within(errors);
   const std::uint64_t hits = counts.accepted[errors];
   const Interval interval = confidence(hits, counts.words);
-  const bool agrees = interval.low <= expected && expected <= interval.high;
   return {code.family->name(),
           fmt::to_string(code.codes),
           fmt::to_string(code.min_hamming),
           fmt::to_string(errors),
-          fmt::format("{:.1e}", static_cast<double>(counts.words)),
+          fmt::to_string(counts.words),
           fmt::to_string(hits),
-          fmt::format("{:.3e}", static_cast<double>(hits) / static_cast<double>(counts.words)),
-          fmt::format("{:.3e} to {:.3e}", interval.low, interval.high),
-          fmt::format("{:.3e}", expected),
-          agrees ? "yes" : "no"};
+          fmt::format("{:.4g}", interval.low),
+          fmt::format("{:.4g}", interval.high),
+          fmt::format("{:.4g}", code.share_within(errors))};
+}
+
+std::string cell_of(const MeasuredCode& code, int errors, const WordCounts& counts) {
+  return beside(counts.accepted[errors],
+                static_cast<double>(counts.words) * code.share_within(errors));
 }
 
 }  // namespace
@@ -73,22 +75,74 @@ WordCounts decode_random_words(const codec::Decoder& decoder, std::uint64_t word
   return result;
 }
 
-Table random_words_table(std::span<const MeasuredCode> codes, const RandomWordsPlan& plan) {
-  Table table = {{"family", "tags", "distance", "corrected bits", "random words", "accepted",
-                  "measured rate", "95 % interval", "4 N sum C(n, i) / 2^n", "agrees"}};
+std::vector<RandomWords> count_random_words(std::span<const MeasuredCode> codes,
+                                            const RandomWordsPlan& plan) {
+  std::vector<RandomWords> counts;
   for (const MeasuredCode& code : codes) {
     fmt::print(stderr, "random words: {}\n", code.name());
-    const WordCounts near =
-        decode_random_words(*code.at_two, plan.words_at_two, plan.seed, plan.threads);
-    for (int errors = 0; errors <= code.at_two->max_errors(); ++errors) {
-      table.push_back(row_of(code, errors, near));
-    }
+    RandomWords& of_code = counts.emplace_back();
+    of_code.at_two = decode_random_words(*code.at_two, plan.words_at_two, plan.seed, plan.threads);
     if (code.safe_errors <= 2) continue;
-    const WordCounts safe =
+    of_code.at_safe =
         decode_random_words(*code.at_safe, plan.words_at_safe, plan.seed + 1, plan.threads);
-    table.push_back(row_of(code, code.safe_errors, safe));
+  }
+  return counts;
+}
+
+Table random_words_table(std::span<const RandomWords> counts, std::span<const MeasuredCode> codes) {
+  Table table = {{"family", "tags", "distance", "words", "up to 0 errors", "1", "2", "words",
+                  "up to the safe radius"}};
+  for (std::size_t i = 0; i < codes.size(); ++i) {
+    const MeasuredCode& code = codes[i];
+    const auto& [at_two, at_safe] = counts[i];
+    std::vector<std::string> row = {code.family->name(), fmt::to_string(code.codes),
+                                    fmt::to_string(code.min_hamming),
+                                    fmt::format("{:.0e}", static_cast<double>(at_two.words))};
+    for (int errors = 0; errors <= 2; ++errors) {
+      row.push_back(errors > code.safe_errors ? "-" : cell_of(code, errors, at_two));
+    }
+    row.push_back(at_safe.words == 0 ? "-"
+                                     : fmt::format("{:.0e}", static_cast<double>(at_safe.words)));
+    row.push_back(at_safe.words == 0 ? "-"
+                                     : fmt::format("{}: {}", code.safe_errors,
+                                                   cell_of(code, code.safe_errors, at_safe)));
+    table.push_back(std::move(row));
   }
   return table;
+}
+
+Table random_words_by_errors(std::span<const RandomWords> counts,
+                             std::span<const MeasuredCode> codes) {
+  Table table = {{"family", "tags", "distance", "corrected", "words", "accepted", "low", "high",
+                  "expected_rate"}};
+  for (std::size_t i = 0; i < codes.size(); ++i) {
+    const MeasuredCode& code = codes[i];
+    for (int errors = 0; errors <= code.at_two->max_errors(); ++errors) {
+      table.push_back(row_of(code, errors, counts[i].at_two));
+    }
+    if (counts[i].at_safe.words == 0) continue;
+    table.push_back(row_of(code, code.safe_errors, counts[i].at_safe));
+  }
+  return table;
+}
+
+std::string agreement(std::span<const RandomWords> counts, std::span<const MeasuredCode> codes) {
+  int intervals = 0;
+  int holding = 0;
+  const auto add = [&](const MeasuredCode& code, int errors, const WordCounts& of_words) {
+    const Interval interval = confidence(of_words.accepted[errors], of_words.words);
+    const double expected = code.share_within(errors);
+    ++intervals;
+    if (interval.low <= expected && expected <= interval.high) ++holding;
+  };
+  for (std::size_t i = 0; i < codes.size(); ++i) {
+    for (int errors = 0; errors <= codes[i].at_two->max_errors(); ++errors) {
+      add(codes[i], errors, counts[i].at_two);
+    }
+    if (counts[i].at_safe.words > 0) add(codes[i], codes[i].safe_errors, counts[i].at_safe);
+  }
+  return fmt::format("{} of {} intervals of 95 % confidence hold the formula's rate", holding,
+                     intervals);
 }
 
 }  // namespace tagmint::bench
