@@ -72,7 +72,9 @@ class InformationSetLookup final : public Decoder::Lookup {
     return nearest.match;
   }
 
-  std::size_t table_bytes() const override { return search_.table_bytes() + index_->table_bytes(level_); }
+  std::size_t table_bytes() const override {
+    return search_.table_bytes() + index_->table_bytes(level_);
+  }
 
  private:
   bool is_chosen(TagId id) const {
