@@ -202,7 +202,24 @@ TEST(Generate, MisspeltRulesAndOrdersAreTold) {
   }
 }
 
-TEST(Generate, WhatThisVersionLacksIsRefusedInWords) {
+TEST(Generate, RotationCodeTellsItsLevelsAndHowManyThereCouldBe) {
+  const ProgramResult result =
+      tagmint({"generate", "--method", "rotation-code", "--layout", "classic:8", "--min-hamming",
+               "5", "--levels", "8", "--codes", "50", "--name", "mine"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const codec::Family family = parsed(result);
+  EXPECT_EQ(family.name(), "mine");
+  EXPECT_EQ(family.size(), 50u);
+  EXPECT_EQ(family.levels().front().min_hamming, 8);
+  EXPECT_NE(result.err.find("tagmint: the first of 60 (--codes)\n"), std::string::npos)
+      << result.err;
+  EXPECT_NE(result.err.find("tagmint: ids 0-49: distance 5; "), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("no family of 16 bits at distance 5 has more than 103 codes"),
+            std::string::npos)
+      << result.err;
+}
+
+TEST(Generate, OptionsThatDoNotGoTogetherAreRefusedInWords) {
   expect_fault(quick({"--levels", "8"}), 2,
                "--method lexicode has no --levels (--levels); leave it out, or choose the other "
                "method");
