@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <random>
 #include <stdexcept>
@@ -335,6 +337,37 @@ TEST(Decoder, ALevelsIdsAreReadUpToTheLevelsSafeRadius) {
   EXPECT_EQ(refusal_of(family, with(DecoderEngine::Auto, 7)),
             "7 bit errors are more than generated36 corrects safely; with its distance 8, at most "
             "3 are, unless an unsafe radius is allowed");
+}
+
+TEST(Decoder, ReadsEveryLevelOfBundledGeneratedFamiliesUpToItsSafeRadius) {
+  std::mt19937_64 random(13);
+  int levels_read = 0;
+  for (const std::string& name : family_names()) {
+    const SharedFamily family = find_family(name);
+    if (family->is_listed()) continue;
+    const int bits = family->bits();
+    for (const Level& level : family->levels()) {
+      DecoderOptions options;
+      options.ids.resize(level.codes);
+      std::iota(options.ids.begin(), options.ids.end(), 0);
+      options.max_errors = (level.min_hamming - 1) / 2;
+      const Decoder decoder(family, options);
+      ASSERT_EQ(decoder.engine(), DecoderEngine::InformationSets) << name;
+      ASSERT_LT(decoder.table_bytes(), Decoder::kMaxTableBytes) << name;
+      for (int i = 0; i < 200; ++i) {
+        const auto id = static_cast<TagId>(random() % level.codes);
+        const int errors = static_cast<int>(random() % (*options.max_errors + 1U));
+        Codeword flips = 0;
+        while (std::popcount(flips) < errors) flips |= Codeword{1} << random() % bits;
+        const int turns = static_cast<int>(random() % 4);
+        const Codeword observed = rotate(family->codeword(id) ^ flips, bits, 4 - turns);
+        ASSERT_EQ(decoder.decode(observed), (Match{id, errors, turns}))
+            << name << ", level of " << level.codes << ", " << to_hex(observed);
+      }
+      ++levels_read;
+    }
+  }
+  EXPECT_GT(levels_read, 20);
 }
 
 TEST(Decoder, ListsAFewIdsOfALevelThatAreFartherApartThanTheLevel) {
