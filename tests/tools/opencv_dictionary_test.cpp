@@ -120,7 +120,7 @@ TEST(OpenCvDictionary, JsonFaultsAreToldWithTheirLine) {
 
 TEST(Gzip, ComesBackWhole) {
   std::string text;
-  for (int i = 0; i < 300'000; ++i) text += fmt::format("{} ", i * i % 1009);
+  for (std::size_t i = 0; i < 300'000; ++i) text += fmt::format("{} ", i * i % 1009);
   for (const std::string& content : {std::string(), std::string("x"), text}) {
     EXPECT_TRUE(is_gzip(gzip(content)));
     EXPECT_EQ(gunzip(gzip(content), "x"), content);
