@@ -15,6 +15,10 @@ esac
 
 bash tools/install_packages.sh test
 
+# What was compiled before, in this folder or another, is not compiled again.
+export CMAKE_CXX_COMPILER_LAUNCHER="${CMAKE_CXX_COMPILER_LAUNCHER-ccache}"
+export CCACHE_BASEDIR="$PWD" CCACHE_NOHASHDIR=1 CCACHE_SLOPPINESS=pch_defines,time_macros
+
 # Configures and builds one preset; the build's own output is shown when it fails or on a terminal.
 build() {
   echo "== Building preset $1"

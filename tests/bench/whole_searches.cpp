@@ -23,6 +23,7 @@
 #include <vector>
 
 #include "search/engines.h"
+#include "support/places.h"
 #include "support/running_program.h"
 #include "tagmint/codec/builtin_families.h"
 #include "tagmint/codec/family_file.h"
@@ -91,8 +92,8 @@ Seconds median(const std::vector<Seconds>& runs) {
 Seconds run_program(const Search& search, const codec::Family& family) {
   test::ProgramResult result;
   const Seconds time = time_of(RUSAGE_CHILDREN, [&] {
-    result = test::run({TAGMINT_PROGRAM, "generate", "--layout", search.layout, "--min-hamming",
-                        std::to_string(family.min_hamming()), "--complexity",
+    result = test::run({test::program_path(), "generate", "--layout", search.layout,
+                        "--min-hamming", std::to_string(family.min_hamming()), "--complexity",
                         codec::to_string(family.complexity()), "--order", family.origin().order,
                         "--output", "-"});
   });

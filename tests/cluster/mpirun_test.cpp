@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "support/places.h"
 #include "support/running_program.h"
 #include "support/scratch_folder.h"
 #include "support/tagmint_program.h"
@@ -120,7 +121,7 @@ TEST(Mpirun, RanksWithDifferentCommandLinesRunEachItsOwn) {
   const std::string script =
       fmt::format("exec \"$0\" encode tag36h11 $OMPI_COMM_WORLD_RANK -o {}/$OMPI_COMM_WORLD_RANK",
                   folder.path().string());
-  const Words encode = {"/bin/sh", "-c", script, TAGMINT_PROGRAM};
+  const Words encode = {"/bin/sh", "-c", script, program_path()};
   const ProgramResult result =
       RunningProgram(mpirun_words(2, encode), Stderr::Pipe, kRootMayRunIt).finish();
   EXPECT_EQ(result.exit_code, 0) << result.err;

@@ -8,6 +8,7 @@
 #include <thread>
 #include <vector>
 
+#include "support/places.h"
 #include "tagmint/codec/errors.h"
 #include "tagmint/codec/family_file.h"
 #include "tagmint/codec/layout_presets.h"
@@ -88,8 +89,7 @@ TEST(BuiltinFamilies, CompletedOnesBeginWithThePublishedCodes) {
 }
 
 TEST(BuiltinFamilies, AreTheFilesOfTheFolder) {
-  const std::filesystem::path folder =
-      std::filesystem::path(TAGMINT_TEST_DIR).parent_path() / "families";
+  const std::filesystem::path folder = test::source_folder() / "families";
   std::size_t files = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     if (entry.path().extension() != ".json") continue;
@@ -131,9 +131,7 @@ TEST(BuiltinFamilies, UnknownNamesGiveNothing) {
 
 TEST(LoadFamily, TakesNamesAndPaths) {
   EXPECT_EQ(load_family("tag16h5"), find_family("tag16h5"));
-  const std::string path =
-      (std::filesystem::path(TAGMINT_TEST_DIR).parent_path() / "families" / "tag25h9.json")
-          .string();
+  const std::string path = (test::source_folder() / "families" / "tag25h9.json").string();
   EXPECT_EQ(load_family(path)->name(), "tag25h9");
 }
 

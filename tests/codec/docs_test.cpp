@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "support/places.h"
 #include "tagmint/codec/family_check.h"
 #include "tagmint/codec/family_file.h"
 #include "tagmint/codec/layout_presets.h"
@@ -17,7 +18,7 @@ namespace {
 
 /// The text between "```<language>" and "```" in a file of docs/.
 std::string code_block(const std::string& file, const std::string& language) {
-  std::ifstream stream(std::filesystem::path(TAGMINT_TEST_DIR).parent_path() / "docs" / file);
+  std::ifstream stream(test::source_folder() / "docs" / file);
   std::ostringstream content;
   content << stream.rdbuf();
   const std::string text = content.str();

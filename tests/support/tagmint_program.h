@@ -5,13 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "support/places.h"
 #include "support/running_program.h"
 
 namespace tagmint::test {
 
 /// The built program's path followed by `arguments`.
 inline std::vector<std::string> tagmint_words(const std::vector<std::string>& arguments) {
-  std::vector<std::string> words = {TAGMINT_PROGRAM};
+  std::vector<std::string> words = {program_path()};
   words.insert(words.end(), arguments.begin(), arguments.end());
   return words;
 }

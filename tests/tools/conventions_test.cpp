@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/commands.h"
+#include "support/places.h"
 #include "support/running_program.h"
 #include "support/tagmint_program.h"
 #include "tagmint/codec/version.h"
@@ -24,8 +25,7 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 /// Runs a line of the shell in which $TAGMINT is the program.
 ProgramResult shell(const std::string& line) {
-  return RunningProgram({"/bin/sh", "-c", line}, Stderr::Pipe,
-                        {std::string("TAGMINT=") + TAGMINT_PROGRAM})
+  return RunningProgram({"/bin/sh", "-c", line}, Stderr::Pipe, {"TAGMINT=" + program_path()})
       .finish();
 }
 

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/images.h"
+#include "support/places.h"
 #include "support/scratch_folder.h"
 #include "tagmint/codec/builtin_families.h"
 #include "tagmint/codec/errors.h"
@@ -141,7 +142,7 @@ TEST(SceneFile, FindsFamiliesAndPicturesBesideItself) {
 }
 
 TEST(SceneFile, OfTheDocumentationIsAsItsPicture) {
-  const std::string folder = std::string(TAGMINT_TEST_DIR) + "/../docs/pictures/";
+  const std::string folder = (test::source_folder() / "docs" / "pictures").string() + "/";
   const detect::Image image = render(read_scene(folder + "scene.json")).image;
   const detect::Image shown = io::read_gray_image(folder + "scene.png");
   ASSERT_EQ(image.width(), shown.width());
