@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
+#include <variant>
 
 #include "check_options.h"
 #include "decode_quads.h"
@@ -12,6 +13,7 @@
 #include "pipeline/s8_reconcile.h"
 #include "quad_kinds.h"
 #include "stage_timer.h"
+#include "tracker_path.h"
 #include "work_share.h"
 
 namespace tagmint::detect {
@@ -29,18 +31,23 @@ QuadKinds kinds_of(const Decoders& decoders) {
 struct Detector::Impl {
   DetectorOptions options;
   WorkShare share;
-  PaperPath path;
+  std::variant<PaperPath, TrackerPath> path;
   QuadDecoding decoding;
   std::vector<Detection> candidates;
 
   Impl(Decoders decoders, const DetectorOptions& o)
       : options(o),
         share(o.threads),
-        path(o, kinds_of(decoders)),
-        decoding(std::move(decoders), o) {}
+        path(std::in_place_type<PaperPath>, o, kinds_of(decoders)),
+        decoding(std::move(decoders), o) {
+    if (o.algorithm == Algorithm::Tracker) {
+      path.emplace<TrackerPath>(o, kinds_of(decoding.decoders()));
+    }
+  }
 
   std::vector<Detection> detect(ImageView full, DetectStats& stats, DebugSink* debug) {
-    const std::span<const Quad> quads = path.find_quads(full, share, stats, debug);
+    const std::span<const Quad> quads = std::visit(
+        [&](auto& finder) { return finder.find_quads(full, share, stats, debug); }, path);
     decoding.decode(full, quads, share, stats, candidates);
     std::vector<Detection> detections;
     {
