@@ -1,6 +1,7 @@
 #include "kernels/outline_kernels.h"
 
 #include <array>
+#include <cmath>
 
 // Highway compiles this file once for each set of instructions. All of them give the same floats,
 // since products and sums are not contracted (see CMakeLists.txt).
@@ -88,6 +89,26 @@ HWY_ATTR FarthestBothSides farthest_both_sides(const OutlineView& outline, float
   return farthest;
 }
 
+HWY_ATTR bool all_near_line(const OutlineView& outline, float ax, float ay, float ex, float ey,
+                            float most) {
+  const Floats d;
+  const auto vx = hn::Set(d, ax), vy = hn::Set(d, ay), wx = hn::Set(d, ex), wy = hn::Set(d, ey);
+  const auto limit = hn::Set(d, most);
+  const int lanes = static_cast<int>(hn::Lanes(d));
+  const auto far = [&](int i) HWY_ATTR {
+    const auto dx = hn::Sub(hn::LoadU(d, outline.x + i), vx);
+    const auto dy = hn::Sub(hn::LoadU(d, outline.y + i), vy);
+    return hn::Gt(hn::Abs(hn::Sub(hn::Mul(dy, wx), hn::Mul(dx, wy))), limit);
+  };
+  int i = 0;
+  for (; i + lanes <= outline.size; i += lanes) {
+    if (!hn::AllFalse(d, far(i))) return false;
+  }
+  if (i == outline.size) return true;
+  const auto rest = hn::FirstN(d, static_cast<std::size_t>(outline.size - i));
+  return hn::AllFalse(d, hn::And(far(i), rest));
+}
+
 }  // namespace
 }  // namespace HWY_NAMESPACE
 }  // namespace tagmint::detect
@@ -129,6 +150,16 @@ FarthestBothSides scalar::farthest_both_sides(const OutlineView& outline, float 
   return farthest;
 }
 
+bool scalar::all_near_line(const OutlineView& outline, float ax, float ay, float ex, float ey,
+                           float most) {
+  for (int i = 0; i < outline.size; ++i) {
+    const float off = (outline.y[i] - ay) * ex - (outline.x[i] - ax) * ey;
+    if (std::abs(off) > most) return false;
+  }
+  return true;
+}
+
+HWY_EXPORT(all_near_line);
 HWY_EXPORT(farthest_point);
 HWY_EXPORT(farthest_both_sides);
 
@@ -139,6 +170,10 @@ int farthest_point(const OutlineView& outline, float px, float py) {
 FarthestBothSides farthest_both_sides(const OutlineView& outline, float ax, float ay, float ex,
                                       float ey) {
   return HWY_DYNAMIC_DISPATCH(farthest_both_sides)(outline, ax, ay, ex, ey);
+}
+
+bool all_near_line(const OutlineView& outline, float ax, float ay, float ex, float ey, float most) {
+  return HWY_DYNAMIC_DISPATCH(all_near_line)(outline, ax, ay, ex, ey, most);
 }
 
 }  // namespace tagmint::detect

@@ -5,8 +5,8 @@
 
 namespace tagmint::detect {
 
-/// Points of an outline, px; both arrays may be read up to the next multiple of kOutlinePadding,
-/// where copies of the last point follow.
+/// Points of an outline, px; kOutlinePadding more may be read. For farthest_...() copies of the
+/// last point follow up to the next multiple of that.
 struct OutlineView {
   const float* x = nullptr;
   const float* y = nullptr;
@@ -32,12 +32,18 @@ int farthest_point(const OutlineView& outline, float px, float py);
 FarthestBothSides farthest_both_sides(const OutlineView& outline, float ax, float ay, float ex,
                                       float ey);
 
+/// Whether the cross products of all points with the step (ex, ey) from (ax, ay) are at most `most`
+/// in magnitude. Points may follow that are none of the outline.
+///   cost     one pass, left at the first vector with a point too far
+bool all_near_line(const OutlineView& outline, float ax, float ay, float ex, float ey, float most);
+
 namespace scalar {
 
 /// The same, a point at a time.
 int farthest_point(const OutlineView& outline, float px, float py);
 FarthestBothSides farthest_both_sides(const OutlineView& outline, float ax, float ay, float ex,
                                       float ey);
+bool all_near_line(const OutlineView& outline, float ax, float ay, float ex, float ey, float most);
 
 }  // namespace scalar
 

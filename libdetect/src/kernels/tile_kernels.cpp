@@ -118,9 +118,10 @@ HWY_ATTR void threshold_at(const PixelRows& rows, int from, int x, int pixels, c
     counts = hn::And(counts, hn::FirstN(d, static_cast<std::size_t>(pixels)));
   }
   if (hn::AllFalse(d, counts)) {
+    constexpr std::size_t kBytes = hn::MaxLanes(Bytes()) / 8;
     for (std::size_t i = 0; i < kTile; ++i) {
-      if (black[i]) std::memset(bits_at(black[i]), 0, hn::Lanes(d) / 8);
-      if (kWhite && white[i]) std::memset(bits_at(white[i]), 0, hn::Lanes(d) / 8);
+      if (black[i]) std::memset(bits_at(black[i]), 0, kBytes);
+      if (kWhite && white[i]) std::memset(bits_at(white[i]), 0, kBytes);
     }
     return;
   }

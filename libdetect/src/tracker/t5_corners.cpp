@@ -16,10 +16,11 @@ constexpr float kMinCornerPx = 1.6f;
 /// for each point of the outline (each is off by up to half a pixel).
 constexpr double kAreaShare = 0.10;
 constexpr double kAreaPerPoint = 0.25;
-/// Points of the outline may lie this far from their side: px, and a share of its length for lenses
-/// that bend it.
-constexpr float kMaxDeviationPx = 2.0f;
-constexpr float kMaxDeviationShare = 0.02f;
+/// Points of the outline may lie this far from their side: px, and a share of its length, since a
+/// corner's extreme point may be at the other end of a nearly level run than the corner, and lenses
+/// bend long sides.
+constexpr float kMaxDeviationPx = 1.7f;
+constexpr float kMaxDeviationShare = 0.03f;
 
 /// Builds the outline clockwise as seen: down the right side, up the left one. Coordinates relative
 /// to (left_most, top), so that they are exact as floats.
@@ -49,6 +50,7 @@ class Outline {
 
   int size() const { return 2 * rows_; }
   OutlineView view() const { return {x_, y_, size()}; }
+  OutlineView part(int first, int count) const { return {x_ + first, y_ + first, count}; }
   float x(int i) const { return x_[i]; }
   float y(int i) const { return y_[i]; }
 
@@ -136,17 +138,15 @@ std::optional<FourPoints> extreme_points(const Outline& o, float middle_x, float
 
 /// Whether all points between two corners are near the line through them.
 bool is_straight(const Outline& o, int begin, int end) {
-  const int points = (end - begin + o.size()) % o.size();
   const float ex = o.x(end) - o.x(begin);
   const float ey = o.y(end) - o.y(begin);
   const float length = std::hypot(ex, ey);
-  const float most = length * std::max(kMaxDeviationPx, kMaxDeviationShare * length);
-  for (int i = 1; i < points; ++i) {
-    const int k = begin + i < o.size() ? begin + i : begin + i - o.size();
-    const float off = (o.x(k) - o.x(begin)) * ey - (o.y(k) - o.y(begin)) * ex;
-    if (std::abs(off) > most) return false;
-  }
-  return true;
+  const float most = length * (kMaxDeviationPx + kMaxDeviationShare * length);
+  const auto near = [&](int first, int count) {
+    return all_near_line(o.part(first, count), o.x(begin), o.y(begin), ex, ey, most);
+  };
+  if (begin < end) return near(begin, end - begin);
+  return near(begin, o.size() - begin) && (end == 0 || near(0, end));
 }
 
 }  // namespace
