@@ -26,19 +26,22 @@ struct Row {
   WordVector pairs;  ///< black with black to the right of it
   WordVector fours;  ///< followed by three more
 
-  HWY_ATTR explicit Row(WordVector v) : black(v) {
+  WordVector cut;  ///< first and last bits of words where the run goes on in the next word
+
+  HWY_ATTR Row(WordVector v, const std::uint64_t* from) : black(v) {
+    const Words d;
     pairs = hn::And(v, hn::ShiftRight<1>(v));
     fours = hn::And(pairs, hn::ShiftRight<2>(pairs));
+    const auto before = hn::ShiftRight<63>(hn::LoadU(d, from - 1));
+    const auto after = hn::ShiftLeft<63>(hn::LoadU(d, from + 1));
+    cut = hn::And(hn::Or(before, after), v);
   }
 
   /// Black pixels that a path may reach from `below`, bits of the row below: a step up, then along
   /// the run, any number of pixels to the right and seven to the left. Runs that touch a word's
   /// edge are reached from outside.
   HWY_ATTR WordVector reached(WordVector below) const {
-    const Words d;
-    const auto edges = hn::Set(d, 0x8000000000000001u);
-    const auto step = hn::Or(hn::Or(below, hn::ShiftLeft<1>(below)), hn::ShiftRight<1>(below));
-    auto seeds = hn::And(hn::Or(step, edges), black);
+    auto seeds = hn::Or(hn::And(below, black), cut);
     seeds = hn::Or(seeds, hn::And(black, hn::ShiftRight<1>(seeds)));
     seeds = hn::Or(seeds, hn::And(pairs, hn::ShiftRight<2>(seeds)));
     seeds = hn::Or(seeds, hn::And(fours, hn::ShiftRight<4>(seeds)));
@@ -74,7 +77,7 @@ HWY_ATTR void find_starts_in_column(BitBlock black, int rows, std::uint64_t* sta
     const auto above = hn::LoadU(d, black.first + (y - 1) * black.stride);
     auto found = zero;
     if (!hn::AllTrue(d, hn::Eq(here, zero))) {
-      const Row row(here);
+      const Row row(here, black.first + y * black.stride);
       const auto deep = row.reached(path4);
       path4 = row.reached(path3);
       path3 = row.reached(path2);
@@ -107,7 +110,6 @@ namespace scalar {
 namespace {
 
 constexpr std::uint64_t kFirstBit = 1;
-constexpr std::uint64_t kLastBit = kFirstBit << 63;
 
 /// `seeds` and all black pixels that lie in a run with them, up to seven to the left.
 std::uint64_t along_runs(std::uint64_t black, std::uint64_t seeds) {
@@ -117,8 +119,10 @@ std::uint64_t along_runs(std::uint64_t black, std::uint64_t seeds) {
   return reached;
 }
 
-std::uint64_t reached(std::uint64_t black, std::uint64_t below) {
-  return along_runs(black, (below | below << 1 | below >> 1 | kFirstBit | kLastBit) & black);
+/// Black pixels of the word at `from` that a path may reach from `below`.
+std::uint64_t reached(const std::uint64_t* from, std::uint64_t below) {
+  const std::uint64_t cut = (from[-1] >> 63) | (from[1] << 63);
+  return along_runs(*from, (below | cut) & *from);
 }
 
 /// Bit for bit over the runs of a word.
@@ -148,12 +152,12 @@ void find_starts(BitBlock black, int rows, int words, std::uint64_t* starts,
   for (int w = 0; w < words; ++w) {
     std::array<std::uint64_t, kStartDepth - 1> paths{};  // paths[i]: over i + 1 rows
     for (int y = rows + kStartDepth - 2; y >= 0; --y) {
-      const std::uint64_t here = black.first[y * black.stride + w];
+      const std::uint64_t* here = black.first + y * black.stride + w;
       const std::uint64_t above = black.first[(y - 1) * black.stride + w];
       const std::uint64_t deep = reached(here, paths.back());
       for (std::size_t i = paths.size() - 1; i > 0; --i) paths[i] = reached(here, paths[i - 1]);
-      paths[0] = here;
-      if (y < rows) starts[y * starts_stride + w] = starts_of(here, above, deep);
+      paths[0] = *here;
+      if (y < rows) starts[y * starts_stride + w] = starts_of(*here, above, deep);
     }
   }
 }

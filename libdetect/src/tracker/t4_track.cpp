@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <optional>
 
 namespace tagmint::detect {
 namespace {
@@ -9,10 +10,13 @@ namespace {
 /// Sides may go back by this many px before a shape is not convex: noise on a side, steps of a
 /// slanted one.
 constexpr int kMaxBackward = 4;
-/// The turn of the sides is looked at every so many rows (a power of two).
+/// The turn of the sides is looked at every so many rows (even, a power of two).
 constexpr int kRowsPerCheck = 4;
+/// Sides may bend inwards by this many px, and one more for every kRowsPerBend rows.
+constexpr int kMaxBend = 2;
+constexpr int kRowsPerBend = 32;
 
-/// First pixel of the run of black that (x) is in.
+/// First pixel of the run of black that x is in.
 int run_begin(const std::uint64_t* row, int x) {
   for (;;) {
     const std::uint64_t white = ~bits_from(row, x - 63);  // bit 63 is x
@@ -21,7 +25,7 @@ int run_begin(const std::uint64_t* row, int x) {
   }
 }
 
-/// Last pixel of the run of black that (x) is in.
+/// Last pixel of the run of black that x is in.
 int run_end(const std::uint64_t* row, int x) {
   for (;;) {
     const std::uint64_t white = ~bits_from(row, x);
@@ -48,7 +52,41 @@ int previous_black(const std::uint64_t* row, int x, int first) {
   return first - 1;
 }
 
-bool is_black(const std::uint64_t* row, int x) { return row[x >> 6] >> (x & 63) & 1; }
+// A step of either side looks at one window of 64 bits with the pixel below in its middle; only
+// steps of half a window or more go on from there.
+constexpr int kMiddle = 32;
+
+/// The left side in `row`, the row below `before`, where it is at `left`; nothing where it ends.
+///   right   the right side in `before`
+std::optional<int> step_left(const std::uint64_t* before, const std::uint64_t* row, int left,
+                             int right) {
+  const std::uint64_t window = bits_from(row, left - kMiddle);
+  if (window >> kMiddle & 1) {
+    const int run = std::countl_one(window << (63 - kMiddle));
+    return run <= kMiddle ? left - run + 1 : run_begin(row, left - kMiddle);
+  }
+  const std::uint64_t run = bits_from(before, left);
+  const int end = run + 1 != 0 ? left + std::countr_one(run) - 1 : run_end(before, left);
+  const int last = std::min(right, end + kMaxGap);
+  const int next = next_black(row, left, last);
+  return next <= last ? std::optional(next) : std::nullopt;
+}
+
+/// The right side, as step_left().
+///   left   the left side in `row`
+std::optional<int> step_right(const std::uint64_t* before, const std::uint64_t* row, int left,
+                              int right) {
+  const std::uint64_t window = bits_from(row, right - kMiddle);
+  if (window >> kMiddle & 1) {
+    const int run = std::countr_one(window >> kMiddle);
+    return run < kMiddle ? right + run - 1 : run_end(row, right + kMiddle - 1);
+  }
+  const std::uint64_t run = bits_from(before, right - 63);
+  const int begin = run + 1 != 0 ? right - std::countl_one(run) + 1 : run_begin(before, right);
+  const int first = std::max(left, begin - kMaxGap);
+  const int next = previous_black(row, right, first);
+  return next >= first ? std::optional(next) : std::nullopt;
+}
 
 /// Whether a side goes out, then in, each time with some tolerance. Works for the right side; the
 /// left one is its mirror image.
@@ -77,7 +115,15 @@ class Turn {
 
 /// Whether a run has black right above one of its pixels.
 bool is_covered(const std::uint64_t* above, int first, int last) {
-  return is_black(above, first) || next_black(above, first, last) <= last;
+  return next_black(above, first - 1, last) <= last;
+}
+
+/// Whether the sides bend inwards by more than noise does: half-way between the first and the last
+/// of 2 n + 1 rows, each must lie outside its chord or near it.
+bool bends_inwards(const std::int32_t* lefts, const std::int32_t* rights, int n) {
+  const int most = 2 * kMaxBend + 4 * n / kRowsPerBend;
+  return 2 * lefts[n] - lefts[0] - lefts[2 * n] > most ||
+         rights[0] + rights[2 * n] - 2 * rights[n] > most;
 }
 
 }  // namespace
@@ -93,45 +139,34 @@ TrackOutcome track_shape(const BitPlane& black, int x, int y, VisitedBand& visit
   std::int32_t* const rights = shape.right.data();
   Turn left_turn(-left);
   Turn right_turn(right);
-  int left_most = left;
-  int right_most = right;
   std::int64_t area = 0;
   int height = 0;
   for (;;) {
     if (visited.visit(left, y + height)) return TrackOutcome::Visited;
     lefts[height] = left;
     rights[height] = right;
-    ++height;
     area += right - left + 1;
-    left_most = std::min(left_most, left);
-    right_most = std::max(right_most, right);
-    if (height % kRowsPerCheck == 0 && !(left_turn.goes_on(-left) && right_turn.goes_on(right))) {
-      return TrackOutcome::NotConvex;
+    if (height % kRowsPerCheck == 0 && height > 0) {
+      if (!left_turn.goes_on(-left) || !right_turn.goes_on(right) ||
+          bends_inwards(lefts, rights, height / 2)) {
+        return TrackOutcome::NotConvex;
+      }
     }
+    ++height;
     if (height == rows_left) break;
     const std::uint64_t* const before = row;
     row += stride;
-    const int old_left = left;
-    const int old_right = right;
-    if (is_black(row, left)) {
-      left = run_begin(row, left);
-    } else {
-      const int last = std::min(right, run_end(before, old_left) + kMaxGap);
-      left = next_black(row, left, last);
-      if (left > last) break;
-    }
-    if (is_black(row, right)) {
-      right = run_end(row, right);
-    } else {
-      const int first = std::max(left, run_begin(before, old_right) - kMaxGap);
-      right = previous_black(row, right, first);
-      if (right < first) break;
-    }
+    const std::optional<int> next_left = step_left(before, row, left, right);
+    if (!next_left) break;
+    const std::optional<int> next_right = step_right(before, row, *next_left, right);
+    if (!next_right) break;
+    left = *next_left;
+    right = *next_right;
   }
   shape.top = y;
   shape.height = height;
-  shape.left_most = left_most;
-  shape.right_most = right_most;
+  shape.left_most = *std::min_element(lefts, lefts + height);
+  shape.right_most = *std::max_element(rights, rights + height);
   shape.area = area;
   return TrackOutcome::Done;
 }
