@@ -4,8 +4,8 @@ namespace tagmint::detect {
 
 std::string_view name_of(Stage stage) {
   constexpr std::array<std::string_view, kStages> names = {
-      "preprocess", "threshold",    "segment", "cluster",
-      "fit_quads",  "refine_edges", "decode",  "reconcile"};
+      "preprocess", "threshold", "segment", "cluster",   "fit_quads", "refine_edges", "noise_floor",
+      "bitmap",     "starts",    "track",   "fit_edges", "decode",    "reconcile"};
   return names[static_cast<std::size_t>(stage)];
 }
 
@@ -17,6 +17,12 @@ DetectStats& DetectStats::operator+=(const DetectStats& other) {
   clusters_open += other.clusters_open;
   clusters_too_small += other.clusters_too_small;
   wrong_border_colour += other.wrong_border_colour;
+  starts += other.starts;
+  starts_covered += other.starts_covered;
+  starts_visited += other.starts_visited;
+  starts_not_convex += other.starts_not_convex;
+  shapes += other.shapes;
+  shapes_too_small += other.shapes_too_small;
   no_corners += other.no_corners;
   bad_fit += other.bad_fit;
   bad_shape += other.bad_shape;

@@ -5,7 +5,6 @@
 #include <cassert>
 #include <cmath>
 
-#include "numerics/bilinear.h"
 #include "numerics/gray_model.h"
 
 namespace tagmint::detect {
@@ -22,54 +21,6 @@ constexpr double kMinRingShare = 0.5;
 /// thirteen would then be taken for the other colour. Rings of rendered tags have 0.001 to 0.08, of
 /// 291 tags in photographs up to 0.23, of quads fitted to noise 0.31 and more (docs/pipeline.md).
 constexpr double kMaxRingScatter = 0.35;
-/// A cell this many pixels wide, or part of it, is worth one more gray value in each direction...
-constexpr double kPixelsPerSample = 2.0;
-/// ...up to this many,
-constexpr int kMaxSamplesPerSide = 3;
-/// spread over this middle part of the cell, away from its blurred edges.
-constexpr double kCellMiddle = 0.5;
-
-/// Where the cells of a layout are in the tag plane, and how to read them.
-class CellReader {
- public:
-  CellReader(ImageView full, const Homography& tag_to_image, const Layout& layout, double side_px)
-      : full_(full),
-        tag_to_image_(tag_to_image),
-        cell_(2.0 / layout.width_at_border()),
-        origin_(-1.0 - layout.border_offset() * cell_) {
-    const double cell_px = side_px / layout.width_at_border();
-    samples_ = std::clamp(static_cast<int>(cell_px / kPixelsPerSample), 1, kMaxSamplesPerSide);
-  }
-
-  Point centre(CellPosition p) const {
-    return {origin_ + (p.x + 0.5) * cell_, origin_ + (p.y + 0.5) * cell_};
-  }
-
-  /// Mean gray value of the cell's middle; nothing when a part of that is outside the image.
-  std::optional<double> gray(CellPosition p) const {
-    const Point middle = centre(p);
-    double sum = 0;
-    for (int j = 0; j < samples_; ++j) {
-      for (int i = 0; i < samples_; ++i) {
-        const Point at = middle + Point{offset(i), offset(j)};
-        const std::optional<double> value = sample_bilinear(full_, tag_to_image_.project(at));
-        if (!value) return std::nullopt;
-        sum += *value;
-      }
-    }
-    return sum / (samples_ * samples_);
-  }
-
- private:
-  double offset(int i) const { return ((i + 0.5) / samples_ - 0.5) * kCellMiddle * cell_; }
-
-  ImageView full_;
-  const Homography& tag_to_image_;
-  double cell_;    // side of a cell in the tag plane
-  double origin_;  // left and top edge of the whole tag in the tag plane
-  int samples_;    // a side of the cell
-};
-
 /// What the cells of one ring say: their plane, and how far they are from it.
 struct Ring {
   GrayPlane plane;
@@ -78,15 +29,15 @@ struct Ring {
 };
 
 /// The ring `ring` cells from the tag's outer edge; nothing when too little of it is in the image.
-std::optional<Ring> read_ring(const CellReader& reader, const Layout& layout, int ring) {
+std::optional<Ring> read_ring(const CellGrid& cells, const Layout& layout, int ring) {
   const int last = layout.width() - 1 - ring;
   GrayModel model;
   const auto add = [&](CellPosition p) {
-    if (const std::optional<double> gray = reader.gray(p)) model.add(reader.centre(p), *gray);
+    if (cells.known(p)) model.add(cells.centre(p), cells.gray(p));
   };
   if (ring == last) {  // a single cell in the middle of the tag has no slope
-    const std::optional<double> gray = reader.gray({ring, ring});
-    return gray ? std::optional(Ring{{0, 0, *gray}, 1, 0}) : std::nullopt;
+    if (!cells.known({ring, ring})) return std::nullopt;
+    return Ring{{0, 0, cells.gray({ring, ring})}, 1, 0};
   }
   for (int i = ring; i < last; ++i) {
     add({i, ring});
@@ -115,9 +66,9 @@ struct TwoColours {
   }
 };
 
-std::optional<TwoColours> fit_colours(const CellReader& reader, const Layout& layout) {
-  const auto outside = read_ring(reader, layout, layout.border_offset() - 1);
-  const auto inside = read_ring(reader, layout, layout.border_offset());
+std::optional<TwoColours> fit_colours(const CellGrid& cells, const Layout& layout) {
+  const auto outside = read_ring(cells, layout, layout.border_offset() - 1);
+  const auto inside = read_ring(cells, layout, layout.border_offset());
   if (!outside || !inside) return std::nullopt;
   const double scatter = std::sqrt((outside->squared_residuals + inside->squared_residuals) /
                                    (outside->cells + inside->cells));
@@ -125,18 +76,22 @@ std::optional<TwoColours> fit_colours(const CellReader& reader, const Layout& la
   return TwoColours{inside->plane, outside->plane, scatter};
 }
 
-/// Fills scratch.excess; false when a data cell is outside the image.
-bool read_cells(const CellReader& reader, const Layout& layout, const TwoColours& colours,
-                DecodeScratch& scratch) {
+/// Sets scratch.excess and scratch.known; false when a data cell is outside the image.
+bool compare_cells(const Layout& layout, const TwoColours& colours, DecodeScratch& scratch) {
   const int width = layout.width();
-  scratch.excess.assign(static_cast<std::size_t>(width) * width, std::nullopt);
+  const auto cells = static_cast<std::size_t>(width) * static_cast<std::size_t>(width);
+  scratch.excess.assign(cells, 0.0f);
+  scratch.known.assign(cells, 0);
+  std::size_t i = 0;
   for (int y = 0; y < width; ++y) {
-    for (int x = 0; x < width; ++x) {
+    for (int x = 0; x < width; ++x, ++i) {
       const Cell cell = layout.cell(x, y);
       if (cell == Cell::None) continue;
       const CellPosition p = {x, y};
-      if (const std::optional<double> gray = reader.gray(p)) {
-        scratch.excess[y * width + x] = *gray - colours.threshold(reader.centre(p));
+      if (scratch.cells.known(p)) {
+        scratch.excess[i] =
+            static_cast<float>(scratch.cells.gray(p) - colours.threshold(scratch.cells.centre(p)));
+        scratch.known[i] = 1;
       } else if (cell == Cell::Data) {
         return false;
       }
@@ -147,17 +102,18 @@ bool read_cells(const CellReader& reader, const Layout& layout, const TwoColours
 
 /// The cell's excess, raised against the mean of its neighbours to undo blur across the cell's
 /// edges: v + weight * sum over known neighbours (v - neighbour).
-double sharpened(const std::vector<std::optional<double>>& excess, int width, CellPosition p,
-                 double weight) {
-  constexpr std::array<CellPosition, 4> kSteps = {{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
-  const double value = *excess[p.y * width + p.x];
+double sharpened(const DecodeScratch& scratch, int width, CellPosition p, double weight) {
+  const auto at = static_cast<std::size_t>(p.y) * static_cast<std::size_t>(width) +
+                  static_cast<std::size_t>(p.x);
+  const double value = scratch.excess[at];
   double laplacian = 0;
-  for (const CellPosition step : kSteps) {
-    const int x = p.x + step.x;
-    const int y = p.y + step.y;
-    if (x < 0 || y < 0 || x >= width || y >= width) continue;
-    if (const auto& neighbour = excess[y * width + x]) laplacian += value - *neighbour;
-  }
+  const auto take = [&](bool inside, std::size_t i) {
+    if (inside && scratch.known[i]) laplacian += value - static_cast<double>(scratch.excess[i]);
+  };
+  take(p.x + 1 < width, at + 1);
+  take(p.y + 1 < width, at + static_cast<std::size_t>(width));
+  take(p.x > 0, at - 1);
+  take(p.y > 0, at - static_cast<std::size_t>(width));
   return value + weight * laplacian;
 }
 
@@ -172,7 +128,7 @@ Reading read_word(const Layout& layout, double sharpening, const DecodeScratch& 
   double white_sum = 0, black_sum = 0;
   int whites = 0, blacks = 0;
   for (const CellPosition p : layout.data_cells()) {
-    const double value = sharpened(scratch.excess, layout.width(), p, sharpening);
+    const double value = sharpened(scratch, layout.width(), p, sharpening);
     const bool white = value > 0;
     reading.word = (reading.word << 1) | static_cast<codec::Codeword>(white);
     (white ? white_sum : black_sum) += std::abs(value);
@@ -209,11 +165,11 @@ DecodeResult decode_quad(ImageView full, const Quad& quad, const codec::Decoder&
   const std::optional<Homography> tag_to_image = Homography::from_corners(quad.corners);
   if (!tag_to_image) return {DecodeOutcome::OutsideImage, {}};
   const double side_px = std::sqrt(std::abs(signed_area(quad.corners)));
-  const CellReader reader(full, *tag_to_image, layout, side_px);
-  const std::optional<TwoColours> colours = fit_colours(reader, layout);
+  scratch.cells.read(full, *tag_to_image, layout, side_px);
+  const std::optional<TwoColours> colours = fit_colours(scratch.cells, layout);
   if (!colours) return {DecodeOutcome::OutsideImage, {}};
   if (!colours->tell_a_border()) return {DecodeOutcome::NoContrast, {}};
-  if (!read_cells(reader, layout, *colours, scratch)) return {DecodeOutcome::OutsideImage, {}};
+  if (!compare_cells(layout, *colours, scratch)) return {DecodeOutcome::OutsideImage, {}};
   const Reading reading = read_word(layout, options.sharpening, scratch);
   const std::optional<codec::Match> match = decoder.decode(reading.word);
   if (!match) return {DecodeOutcome::NoCodeword, {}};

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
+#include "pipeline/cell_grid.h"
 #include "pipeline/stage_types.h"
 #include "tagmint/codec/decoder.h"
 #include "tagmint/detect/detection.h"
@@ -32,9 +34,11 @@ struct DecodeResult {
 
 /// Buffers that decode_quad() keeps from one candidate to the next; one for each thread.
 struct DecodeScratch {
-  /// By cell of the whole tag, row-major: gray value less the threshold there; nothing for cells
-  /// that are not printed or lie outside the image.
-  std::vector<std::optional<double>> excess;
+  CellGrid cells;
+  /// By cell of the whole tag, row-major: gray value less the threshold there...
+  std::vector<float> excess;
+  /// ...where this is not 0; not for cells that are not printed or lie outside the image.
+  std::vector<std::uint8_t> known;
 };
 
 /// Reads the cells of the tag whose border square `quad` may be. The rings inside and outside of

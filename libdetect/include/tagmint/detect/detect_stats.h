@@ -6,22 +6,31 @@
 
 namespace tagmint::detect {
 
-/// The stages of the pipeline, in order.
+/// The stages of both paths, in order. Preprocess, Decode and Reconcile belong to both.
 enum class Stage {
   Preprocess,
+  // Algorithm::Paper
   Threshold,
   Segment,
   Cluster,
   FitQuads,
   RefineEdges,
+  // Algorithm::Tracker
+  NoiseFloor,
+  Bitmap,
+  Starts,
+  Track,  ///< following shapes and finding their corners
+  FitEdges,
+  // Both
   Decode,
   Reconcile
 };
-inline constexpr int kStages = 8;
+inline constexpr int kStages = 13;
 std::string_view name_of(Stage stage);
 
 /// What happened while one image went through, and why candidates fell away.
 struct DetectStats {
+  // Algorithm::Paper
   std::int64_t components = 0;  ///< black and white components
   std::int64_t boundary_points = 0;
   std::int64_t clusters = 0;            ///< boundaries that were large enough to look at
@@ -29,8 +38,16 @@ struct DetectStats {
   std::int64_t clusters_open = 0;       ///< too few points to go round their box
   std::int64_t clusters_too_small = 0;  ///< bounding box too small or too thin
   std::int64_t wrong_border_colour =
-      0;                           ///< black inside white where no family wants it, or the reverse
-  std::int64_t no_corners = 0;     ///< fewer than four peaks of the line-fit error
+      0;  ///< black inside white where no family wants it, or the reverse
+  // Algorithm::Tracker
+  std::int64_t starts = 0;             ///< runs that a shape may begin on
+  std::int64_t starts_covered = 0;     ///< with black above after all
+  std::int64_t starts_visited = 0;     ///< on a shape that was followed before
+  std::int64_t starts_not_convex = 0;  ///< left early: no quad turns like that
+  std::int64_t shapes = 0;             ///< followed to their lower end
+  std::int64_t shapes_too_small = 0;   ///< too low, narrow or thin
+  // Both
+  std::int64_t no_corners = 0;     ///< no four corners: peaks of the line-fit error, extreme points
   std::int64_t bad_fit = 0;        ///< no four corners with straight sides
   std::int64_t bad_shape = 0;      ///< size, angles, winding or filling not those of a tag
   std::int64_t quads = 0;          ///< candidates that went on to decoding

@@ -2,9 +2,17 @@
 
 namespace tagmint::detect {
 
+/// The ways from pixels to quads (docs/detector.md); what follows is the same for both.
+enum class Algorithm {
+  Tracker,  ///< follows shapes in a bitmap: many times faster
+  Paper     ///< components, boundary clusters and line fits of AprilTag 2 [WangOlson2016]
+};
+
 /// Settings of a Detector, by stage. Defaults suit a noisy camera; figures without a source are the
 /// reference detector's documented ones.
 struct DetectorOptions {
+  Algorithm algorithm = Algorithm::Paper;
+
   // Stage 1, preprocessing.
   double decimate = 1.0;  ///< >= 1; quads are looked for in an image this many times smaller
   double blur_sigma_px =

@@ -1,0 +1,64 @@
+#include "decode_quads.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "stage_timer.h"
+
+namespace tagmint::detect {
+namespace {
+
+void count(DecodeOutcome outcome, DetectStats& stats) {
+  switch (outcome) {
+    case DecodeOutcome::OutsideImage:
+      ++stats.outside_image;
+      break;
+    case DecodeOutcome::NoContrast:
+      ++stats.no_contrast;
+      break;
+    case DecodeOutcome::NoCodeword:
+      ++stats.no_codeword;
+      break;
+    case DecodeOutcome::LowMargin:
+      ++stats.low_margin;
+      break;
+    case DecodeOutcome::Decoded:
+      break;
+  }
+}
+
+}  // namespace
+
+QuadDecoding::QuadDecoding(Decoders decoders, const DetectorOptions& o)
+    : decoders_(std::move(decoders)),
+      options_{.sharpening = o.decode_sharpening, .min_decision_margin = o.min_decision_margin} {}
+
+/// Counted once, by how far it came with any family.
+void QuadDecoding::decode_one(ImageView full, const Quad& quad, Worker& worker,
+                              std::span<std::optional<Detection>> found) {
+  DecodeOutcome farthest = DecodeOutcome::OutsideImage;
+  for (std::size_t i = 0; i < decoders_.size(); ++i) {
+    if (decoders_[i]->family()->layout().reversed_border() != quad.reversed_border) continue;
+    DecodeResult result = decode_quad(full, quad, *decoders_[i], options_, worker.decode);
+    farthest = std::max(farthest, result.outcome);
+    found[i] = std::move(result.detection);
+  }
+  count(farthest, worker.stats);
+}
+
+void QuadDecoding::decode(ImageView full, std::span<const Quad> quads, WorkShare& share,
+                          DetectStats& stats, std::vector<Detection>& candidates) {
+  const StageTimer timer(stats, Stage::Decode);
+  const std::size_t each = decoders_.size();
+  found_.assign(quads.size() * each, std::nullopt);
+  share.for_each_index(quads.size(), workers_, [&](std::size_t i, Worker& worker) {
+    decode_one(full, quads[i], worker, std::span(found_).subspan(i * each, each));
+  });
+  collect_stats(workers_, stats);
+  candidates.clear();
+  for (std::optional<Detection>& read : found_) {
+    if (read) candidates.push_back(std::move(*read));
+  }
+}
+
+}  // namespace tagmint::detect

@@ -1,0 +1,174 @@
+#include "tracker/t4_track.h"
+
+#include <algorithm>
+#include <bit>
+#include <optional>
+
+namespace tagmint::detect {
+namespace {
+
+/// Sides may go back by this many px before a shape is not convex: noise on a side, steps of a
+/// slanted one.
+constexpr int kMaxBackward = 4;
+/// The turn of the sides is looked at every so many rows (even, a power of two).
+constexpr int kRowsPerCheck = 4;
+/// Sides may bend inwards by this many px, and one more for every kRowsPerBend rows.
+constexpr int kMaxBend = 2;
+constexpr int kRowsPerBend = 32;
+
+/// First pixel of the run of black that x is in.
+int run_begin(const std::uint64_t* row, int x) {
+  for (;;) {
+    const std::uint64_t white = ~bits_from(row, x - 63);  // bit 63 is x
+    if (white) return x - std::countl_zero(white) + 1;
+    x -= 64;  // left of the picture all is white
+  }
+}
+
+/// Last pixel of the run of black that x is in.
+int run_end(const std::uint64_t* row, int x) {
+  for (;;) {
+    const std::uint64_t white = ~bits_from(row, x);
+    if (white) return x + std::countr_zero(white) - 1;
+    x += 64;  // the plane's last bits are white
+  }
+}
+
+/// Next black pixel to the right of x, at most `last`; last + 1 where there is none.
+int next_black(const std::uint64_t* row, int x, int last) {
+  for (int at = x + 1; at <= last; at += 64) {
+    const std::uint64_t black = bits_from(row, at);
+    if (black) return std::min(at + std::countr_zero(black), last + 1);
+  }
+  return last + 1;
+}
+
+/// Next black pixel to the left of x, at least `first`; first - 1 where there is none.
+int previous_black(const std::uint64_t* row, int x, int first) {
+  for (int at = x - 1; at >= first; at -= 64) {
+    const std::uint64_t black = bits_from(row, at - 63);
+    if (black) return std::max(at - std::countl_zero(black), first - 1);
+  }
+  return first - 1;
+}
+
+// A step of either side looks at one window of 64 bits with the pixel below in its middle; only
+// steps of half a window or more go on from there.
+constexpr int kMiddle = 32;
+
+/// The left side in `row`, the row below `before`, where it is at `left`; nothing where it ends.
+///   right   the right side in `before`
+std::optional<int> step_left(const std::uint64_t* before, const std::uint64_t* row, int left,
+                             int right) {
+  const std::uint64_t window = bits_from(row, left - kMiddle);
+  if (window >> kMiddle & 1) {
+    const int run = std::countl_one(window << (63 - kMiddle));
+    return run <= kMiddle ? left - run + 1 : run_begin(row, left - kMiddle);
+  }
+  const std::uint64_t run = bits_from(before, left);
+  const int end = run + 1 != 0 ? left + std::countr_one(run) - 1 : run_end(before, left);
+  const int last = std::min(right, end + kMaxGap);
+  const int next = next_black(row, left, last);
+  return next <= last ? std::optional(next) : std::nullopt;
+}
+
+/// The right side, as step_left().
+///   left   the left side in `row`
+std::optional<int> step_right(const std::uint64_t* before, const std::uint64_t* row, int left,
+                              int right) {
+  const std::uint64_t window = bits_from(row, right - kMiddle);
+  if (window >> kMiddle & 1) {
+    const int run = std::countr_one(window >> kMiddle);
+    return run < kMiddle ? right + run - 1 : run_end(row, right + kMiddle - 1);
+  }
+  const std::uint64_t run = bits_from(before, right - 63);
+  const int begin = run + 1 != 0 ? right - std::countl_one(run) + 1 : run_begin(before, right);
+  const int first = std::max(left, begin - kMaxGap);
+  const int next = previous_black(row, right, first);
+  return next >= first ? std::optional(next) : std::nullopt;
+}
+
+/// Whether a side goes out, then in, each time with some tolerance. Works for the right side; the
+/// left one is its mirror image.
+class Turn {
+ public:
+  explicit Turn(int x) : extreme_(x) {}
+  /// False when the side goes out again.
+  bool goes_on(int x) {
+    if (!inwards_) {
+      if (x > extreme_) {
+        extreme_ = x;
+      } else if (x < extreme_ - kMaxBackward) {
+        inwards_ = true;
+        extreme_ = x;
+      }
+      return true;
+    }
+    extreme_ = std::min(extreme_, x);
+    return x <= extreme_ + kMaxBackward;
+  }
+
+ private:
+  int extreme_;
+  bool inwards_ = false;
+};
+
+/// Whether a run has black right above one of its pixels.
+bool is_covered(const std::uint64_t* above, int first, int last) {
+  return next_black(above, first - 1, last) <= last;
+}
+
+/// Whether the sides bend inwards by more than noise does: half-way between the first and the last
+/// of 2 n + 1 rows, each must lie outside its chord or near it.
+bool bends_inwards(const std::int32_t* lefts, const std::int32_t* rights, int n) {
+  const int most = 2 * kMaxBend + 4 * n / kRowsPerBend;
+  return 2 * lefts[n] - lefts[0] - lefts[2 * n] > most ||
+         rights[0] + rights[2 * n] - 2 * rights[n] > most;
+}
+
+}  // namespace
+
+TrackOutcome track_shape(const BitPlane& black, int x, int y, VisitedBand& visited, Shape& shape) {
+  const std::uint64_t* row = black.row(y);
+  int left = run_begin(row, x);
+  int right = run_end(row, x);
+  if (is_covered(black.row(y - 1), left, right)) return TrackOutcome::Covered;
+  const std::size_t stride = black.stride();
+  const int rows_left = black.height() - y;
+  std::int32_t* const lefts = shape.left.data();
+  std::int32_t* const rights = shape.right.data();
+  Turn left_turn(-left);
+  Turn right_turn(right);
+  std::int64_t area = 0;
+  int height = 0;
+  for (;;) {
+    if (visited.visit(left, y + height)) return TrackOutcome::Visited;
+    lefts[height] = left;
+    rights[height] = right;
+    area += right - left + 1;
+    if (height % kRowsPerCheck == 0 && height > 0) {
+      if (!left_turn.goes_on(-left) || !right_turn.goes_on(right) ||
+          bends_inwards(lefts, rights, height / 2)) {
+        return TrackOutcome::NotConvex;
+      }
+    }
+    ++height;
+    if (height == rows_left) break;
+    const std::uint64_t* const before = row;
+    row += stride;
+    const std::optional<int> next_left = step_left(before, row, left, right);
+    if (!next_left) break;
+    const std::optional<int> next_right = step_right(before, row, *next_left, right);
+    if (!next_right) break;
+    left = *next_left;
+    right = *next_right;
+  }
+  shape.top = y;
+  shape.height = height;
+  shape.left_most = *std::min_element(lefts, lefts + height);
+  shape.right_most = *std::max_element(rights, rights + height);
+  shape.area = area;
+  return TrackOutcome::Done;
+}
+
+}  // namespace tagmint::detect
