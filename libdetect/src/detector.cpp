@@ -20,6 +20,7 @@
 #include "pipeline/s6_refine_edges.h"
 #include "pipeline/s7_decode.h"
 #include "pipeline/s8_reconcile.h"
+#include "refine/refine_photometric.h"
 
 namespace tagmint::detect {
 namespace {
@@ -54,6 +55,7 @@ class StageTimer {
 struct Worker {
   QuadScratch quads;
   DecodeScratch decode;
+  PhotometricScratch photometric;
   DetectStats stats;
 };
 
@@ -123,6 +125,7 @@ struct Detector::Impl {
   std::vector<Quad> fit_quads(ImageView working, DetectStats& stats);
   void refine(ImageView full, std::vector<Quad>& quads, DetectStats& stats);
   std::vector<Detection> decode(ImageView full, std::span<const Quad> quads, DetectStats& stats);
+  void refine_tags(ImageView full, std::vector<Detection>& detections, DetectStats& stats);
   void decode_one(ImageView full, const Quad& quad, Worker& worker, std::vector<Detection>& found);
 
   template <typename Function>
@@ -259,6 +262,17 @@ std::vector<Detection> Detector::Impl::decode(ImageView full, std::span<const Qu
   return candidates;
 }
 
+/// After stage 8.
+void Detector::Impl::refine_tags(ImageView full, std::vector<Detection>& detections,
+                                 DetectStats& stats) {
+  const StageTimer timer(stats, Stage::RefineTags);
+  const PhotometricOptions photometric{.lens = options.lens};
+  for_each_index(detections.size(), stats, [&](std::size_t i, Worker& worker) {
+    worker.stats.refined_tags +=
+        refine_detection(full, detections[i], photometric, worker.photometric) ? 1 : 0;
+  });
+}
+
 std::vector<Detection> Detector::Impl::detect(ImageView full, DetectStats& stats,
                                               DebugSink* debug) {
   const ImageView working = find_clusters(full, stats, debug);
@@ -272,6 +286,7 @@ std::vector<Detection> Detector::Impl::detect(ImageView full, DetectStats& stats
     const StageTimer timer(stats, Stage::Reconcile);
     detections = reconcile(std::move(candidates), stats);
   }
+  if (options.refine_photometric) refine_tags(full, detections, stats);
   if (debug) debug->detections(detections);
   return detections;
 }
