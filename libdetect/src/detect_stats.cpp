@@ -4,8 +4,9 @@ namespace tagmint::detect {
 
 std::string_view name_of(Stage stage) {
   constexpr std::array<std::string_view, kStages> names = {
-      "preprocess", "threshold", "segment", "cluster",   "fit_quads", "refine_edges", "noise_floor",
-      "bitmap",     "starts",    "track",   "fit_edges", "decode",    "reconcile"};
+      "preprocess",   "threshold",   "segment",   "cluster",    "fit_quads",
+      "refine_edges", "noise_floor", "bitmap",    "starts",     "track",
+      "fit_edges",    "decode",      "reconcile", "refine_tags"};
   return names[static_cast<std::size_t>(stage)];
 }
 
@@ -33,6 +34,7 @@ DetectStats& DetectStats::operator+=(const DetectStats& other) {
   low_margin += other.low_margin;
   duplicates += other.duplicates;
   detections += other.detections;
+  refined_tags += other.refined_tags;
   for (int i = 0; i < kStages; ++i) stage_ms[i] += other.stage_ms[i];
   return *this;
 }

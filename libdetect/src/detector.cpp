@@ -13,6 +13,7 @@
 #include "pipeline/s8_reconcile.h"
 #include "quad_kinds.h"
 #include "stage_timer.h"
+#include "tag_refinement.h"
 #include "tracker_path.h"
 #include "work_share.h"
 
@@ -33,13 +34,15 @@ struct Detector::Impl {
   WorkShare share;
   std::variant<PaperPath, TrackerPath> path;
   QuadDecoding decoding;
+  TagRefinement refinement;
   std::vector<Detection> candidates;
 
   Impl(Decoders decoders, const DetectorOptions& o)
       : options(o),
         share(o.threads),
         path(std::in_place_type<PaperPath>, o, kinds_of(decoders)),
-        decoding(std::move(decoders), o) {
+        decoding(std::move(decoders), o),
+        refinement(o) {
     if (o.algorithm == Algorithm::Tracker) {
       path.emplace<TrackerPath>(o, kinds_of(decoding.decoders()));
     }
@@ -54,6 +57,7 @@ struct Detector::Impl {
       const StageTimer timer(stats, Stage::Reconcile);
       detections = reconcile(std::move(candidates), stats);
     }
+    if (options.refine_photometric) refinement.refine(full, detections, share, stats);
     if (debug) debug->detections(detections);
     return detections;
   }

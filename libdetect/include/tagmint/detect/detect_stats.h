@@ -23,9 +23,10 @@ enum class Stage {
   FitEdges,
   // Both
   Decode,
-  Reconcile
+  Reconcile,
+  RefineTags
 };
-inline constexpr int kStages = 13;
+inline constexpr int kStages = 14;
 std::string_view name_of(Stage stage);
 
 /// What happened while one image went through, and why candidates fell away.
@@ -57,6 +58,7 @@ struct DetectStats {
   std::int64_t low_margin = 0;     ///< below min_decision_margin
   std::int64_t duplicates = 0;     ///< same tag, or several families, in one place
   std::int64_t detections = 0;
+  std::int64_t refined_tags = 0;  ///< detections whose corners the photometric step made truer
   std::array<double, kStages> stage_ms{};  ///< wall time by Stage
 
   DetectStats& operator+=(const DetectStats& other);

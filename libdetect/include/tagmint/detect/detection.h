@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <optional>
 #include <vector>
 
 #include "tagmint/codec/family.h"
@@ -7,6 +9,9 @@
 #include "tagmint/detect/homography.h"
 
 namespace tagmint::detect {
+
+/// Covariance of the corners (x0, y0, x1, ... y3), px^2, row-major 8 x 8, symmetric.
+using CornerCovariance = std::array<double, 64>;
 
 /// One tag found in an image. Coordinates are full-resolution pixels.
 struct Detection {
@@ -19,6 +24,9 @@ struct Detection {
   Point center;           ///< image of the tag's middle (0, 0)
   Corners corners;        ///< of the border square, in the order of kTagCorners
   Homography homography;  ///< tag [-1,1]^2 -> image; row-major scaled so that h22 = 1
+  /// How far the corners may be from the truth, where the photometric step found them
+  /// (docs/refinement.md); nothing where it did not run or was refused.
+  std::optional<CornerCovariance> corner_covariance;
 };
 
 }  // namespace tagmint::detect

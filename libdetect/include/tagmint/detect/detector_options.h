@@ -1,5 +1,9 @@
 #pragma once
 
+#include <optional>
+
+#include "tagmint/detect/camera.h"
+
 namespace tagmint::detect {
 
 /// The ways from pixels to quads (docs/detector.md); what follows is the same for both.
@@ -37,6 +41,13 @@ struct DetectorOptions {
   double decode_sharpening =
       0.25;  ///< weight of the 4-neighbour Laplacian on the sampled cells; 0 = off
   double min_decision_margin = 0;  ///< detections below are dropped
+
+  // After stage 8, tags.
+  /// Find the corners of each tag again from all edges that its word draws, with their covariance.
+  bool refine_photometric = true;
+  /// The camera, where its lens distorts: the photometric step then follows sides that are curved in
+  /// the picture. Detections stay in the picture's own pixels.
+  std::optional<Camera> lens;
 
   int threads = 1;  ///< that share the quad fits and decodes of one image; 0 = all cores. The
                     ///< result stays the same.

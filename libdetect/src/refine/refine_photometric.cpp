@@ -1,0 +1,307 @@
+#include "refine/refine_photometric.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "refine/corner_map.h"
+
+namespace tagmint::detect {
+namespace {
+
+using Normal = Eigen::Matrix<double, kPhotometricParameters, kPhotometricParameters>;
+using Vector = Eigen::Matrix<double, kPhotometricParameters, 1>;
+
+/// Standard deviation of the point-spread to begin with, px: half a pixel of optics and the pixel.
+constexpr double kFirstSpread_px = 0.6;
+/// A pixel alone has 1 / sqrt(12).
+constexpr double kLeastSpread_px = 0.29;
+/// Beyond, a cell of any tag that can be read is smaller than the blur.
+constexpr double kLargestSpread_px = 20;
+/// How far the width may be from its first guess and the others from zero before the prior pulls as
+/// hard as one pixel: keeps tags of few pixels from explaining noise by blur, light and tone.
+constexpr double kLogSpreadPrior = 0.5;
+constexpr double kLightPrior = 0.5;
+constexpr double kTonePrior = 0.4;
+/// Of one step.
+constexpr double kMaxLogSpreadStep = 0.5;
+/// |tone| < 1 keeps the curve rising.
+constexpr double kMaxTone = 0.8;
+/// Pixels farther from the model than this share of the contrast, this many gray levels and so many
+/// times the noise are outliers.
+constexpr double kOutlierShare = 0.2;
+constexpr double kOutlierLevels = 4;
+constexpr double kOutlierNoise = 3;
+/// Variance of a pixel's noise that is always there: rounding and what no model explains, gray
+/// levels squared.
+constexpr double kLeastVariance = 0.1;
+/// Blocks of pixels that the first steps and the last judgement look at.
+constexpr std::size_t kFewBlocks = 24;
+/// Pixels are taken from both sides of an edge up to so many spreads.
+constexpr double kNearSpreads = 2.8;
+/// With a spread above this, pixels are chosen again, farther from the edges.
+constexpr double kWideSpread_px = 0.95;
+/// The point-spread reaches two cells where it is wider than this share of a cell.
+constexpr double kReachShare = 0.36;
+/// Fewer pixels than this, times the parameters, are too few.
+constexpr std::size_t kLeastPixelsEach = 3;
+/// Steps over all pixels end when no corner moves by more, px.
+constexpr double kStill_px = 0.02;
+constexpr int kMaxFullSteps = 5;
+
+double spread_px(const PhotometricParameters& p) { return std::exp(p.log_spread); }
+
+/// The state of one fit.
+class Fit {
+ public:
+  Fit(ImageView image, const PhotometricOptions& options, PhotometricScratch& scratch)
+      : image_(image), options_(options), scratch_(scratch) {}
+
+  std::optional<PhotometricFit> run(const codec::Family& family, codec::TagId id,
+                                    const Corners& corners);
+
+ private:
+  bool begin(const Corners& corners);
+  bool choose(double near_px);
+  bool first_step();
+  bool step(std::size_t block_step);
+  bool small_step();
+  bool solve(const PhotometricSums& sums);
+  void move(const Vector& step);
+  bool agrees_better(const std::array<double, 8>& before) const;
+  std::optional<PhotometricFit> result(const Corners& corners) const;
+  std::optional<Corners> ideal_corners() const {
+    return places_in_px(parameters_.to_cells, frame_, border_corners(scratch_.pattern));
+  }
+  PhotometricSums sums(const PhotometricParameters& at, std::size_t block_step, bool normal) const {
+    return photometric_sums(
+        scratch_.pixels, at, scratch_.pattern.reach(),
+        {.outlier_scale = outlier_scale_, .block_step = block_step, .normal = normal});
+  }
+  std::size_t few() const { return std::max<std::size_t>(1, scratch_.pixels.blocks() / kFewBlocks); }
+
+  ImageView image_;
+  const PhotometricOptions& options_;
+  PhotometricScratch& scratch_;
+  TagFrame frame_;
+  double cell_px_ = 1;
+  Corners first_corners_;  // ideal px
+  PhotometricParameters parameters_;
+  double outlier_scale_ = 1e9;
+  Eigen::LLT<Normal> factor_;
+  double variance_ = 1;   // of a pixel about the model
+  double moved_px_ = 0;  // by the last step, the farthest corner
+};
+
+/// Frame and first parameters; false for corners that are no tag's.
+bool Fit::begin(const Corners& corners) {
+  Point middle{0, 0};
+  double perimeter = 0;
+  for (int i = 0; i < 4; ++i) {
+    first_corners_[i] = to_ideal_px(options_.lens, corners[i]);
+    middle = middle + 0.25 * first_corners_[i];
+    perimeter += length(corners[(i + 1) % 4] - corners[i]);
+  }
+  frame_.origin = middle;
+  frame_.scale_px = 0;
+  for (const Point p : first_corners_) {
+    frame_.scale_px =
+        std::max({frame_.scale_px, std::abs(p.x - middle.x), std::abs(p.y - middle.y)});
+  }
+  if (!(frame_.scale_px > 0)) return false;
+  const TagPattern& pattern = scratch_.pattern;
+  cell_px_ = perimeter / (4 * (pattern.border_end() - pattern.border_begin()));
+  const auto map = map_to_cells(first_corners_, frame_, pattern);
+  if (!map) return false;
+  parameters_ = {};
+  parameters_.to_cells = *map;
+  parameters_.log_spread = std::log(kFirstSpread_px);
+  return true;
+}
+
+/// Fills the list of pixels; false when they are too few.
+bool Fit::choose(double near_px) {
+  const auto outer = places_in_px(parameters_.to_cells, frame_, outer_corners(scratch_.pattern));
+  if (!outer) return false;
+  Corners region;
+  for (int i = 0; i < 4; ++i) region[i] = to_image_px(options_.lens, (*outer)[i]);
+  PixelChoice choice{.frame = frame_,
+                     .to_cells = parameters_.to_cells,
+                     .near_px = near_px,
+                     .spread_px = spread_px(parameters_)};
+  const auto area = static_cast<std::size_t>(std::abs(signed_area(region)));
+  choice.step = static_cast<int>(std::max<std::size_t>(1, (area + options_.most_pixels / 2) /
+                                                              options_.most_pixels));
+  PhotometricPixels& pixels = scratch_.pixels;
+  pixels.reset(most_pixels(image_, region, choice.step));
+  if (options_.lens) {
+    const Point middle = to_image_px(options_.lens, frame_.origin);
+    const Point right = to_ideal_px(options_.lens, middle + Point{1, 0}) - frame_.origin;
+    const Point down = to_ideal_px(options_.lens, middle + Point{0, 1}) - frame_.origin;
+    const PixelMapping mapping{[&](Point p) { return to_ideal_px(options_.lens, p); },
+                               std::sqrt(std::abs(cross(right, down)))};
+    scalar::choose_pixels(image_, scratch_.pattern, choice, region, &mapping, pixels);
+  } else {
+    choose_pixels(image_, scratch_.pattern, choice, region, pixels);
+  }
+  return pixels.size() >= kLeastPixelsEach * kPhotometricParameters;
+}
+
+/// Adds the priors and factors; false when the matrix is not positive definite.
+bool Fit::solve(const PhotometricSums& sums) {
+  variance_ = std::max(kLeastVariance,
+                       sums.squared / std::max(1.0, sums.weight - kPhotometricParameters));
+  Normal normal;
+  Vector gradient;
+  for (int a = 0; a < kPhotometricParameters; ++a) {
+    gradient(a) = sums.gradient[a];
+    for (int b = a; b < kPhotometricParameters; ++b) {
+      normal(a, b) = normal(b, a) = sums.normal[a][b];
+    }
+  }
+  const auto prior = [&](int i, double distance, double deviation) {
+    normal(i, i) += variance_ / (deviation * deviation);
+    gradient(i) += variance_ / (deviation * deviation) * distance;
+  };
+  prior(kLogSpread, std::log(kFirstSpread_px) - parameters_.log_spread, kLogSpreadPrior);
+  prior(kLightX, -parameters_.light_x, kLightPrior);
+  prior(kLightY, -parameters_.light_y, kLightPrior);
+  prior(kTone, -parameters_.tone, kTonePrior);
+  factor_.compute(normal);
+  if (factor_.info() != Eigen::Success) return false;
+  move(factor_.solve(gradient));
+  return true;
+}
+
+void Fit::move(const Vector& step) {
+  const std::optional<Corners> before = ideal_corners();
+  PhotometricVector limited;
+  for (int i = 0; i < kPhotometricParameters; ++i) limited[i] = step(i);
+  limited[kLogSpread] = std::clamp(limited[kLogSpread], -kMaxLogSpreadStep, kMaxLogSpreadStep);
+  parameters_ = moved(parameters_, limited);
+  parameters_.log_spread = std::clamp(parameters_.log_spread, std::log(kLeastSpread_px),
+                                      std::log(kLargestSpread_px));
+  parameters_.tone = std::clamp(parameters_.tone, -kMaxTone, kMaxTone);
+  const std::optional<Corners> after = ideal_corners();
+  moved_px_ = 1e9;
+  if (!before || !after) return;
+  moved_px_ = 0;
+  for (int i = 0; i < 4; ++i) {
+    moved_px_ = std::max(moved_px_, length((*after)[i] - (*before)[i]));
+  }
+}
+
+/// Black and contrast as the drawn tag fits them best, then a step of geometry and spread from the
+/// same sums: with contrast 1 and black 0 they hold all that is needed.
+bool Fit::first_step() {
+  parameters_.black = 0;
+  parameters_.contrast = 1;
+  PhotometricSums s = sums(parameters_, few(), true);
+  // Regression of gray on the share of white: columns kBlackLevel (1) and kContrast (share).
+  const double n = s.normal[kBlackLevel][kBlackLevel];
+  const double t = s.normal[kBlackLevel][kContrast];
+  const double tt = s.normal[kContrast][kContrast];
+  const double determinant = n * tt - t * t;
+  if (!(determinant > 0)) return false;
+  const double black = (tt * s.gradient[kBlackLevel] - t * s.gradient[kContrast]) / determinant;
+  const double more = (n * s.gradient[kContrast] - t * s.gradient[kBlackLevel]) / determinant;
+  parameters_.black = black;
+  parameters_.contrast = 1 + more;
+  if (!(parameters_.contrast > 1)) return false;
+  outlier_scale_ = std::max(kOutlierLevels, kOutlierShare * parameters_.contrast);
+  return true;
+}
+
+bool Fit::step(std::size_t block_step) {
+  const PhotometricSums s = sums(parameters_, block_step, true);
+  if (!solve(s)) return false;
+  outlier_scale_ = std::max({kOutlierLevels, kOutlierShare * parameters_.contrast,
+                             kOutlierNoise * std::sqrt(variance_)});
+  return true;
+}
+
+/// A step with the last matrix, which changes little.
+bool Fit::small_step() {
+  const PhotometricSums s = sums(parameters_, 1, false);
+  variance_ = std::max(kLeastVariance,
+                       s.squared / std::max(1.0, s.weight - kPhotometricParameters));
+  Vector gradient;
+  for (int a = 0; a < kPhotometricParameters; ++a) gradient(a) = s.gradient[a];
+  move(factor_.solve(gradient));
+  return true;
+}
+
+/// Whether the picture is nearer to the result than to the tag at `before`, both with the light,
+/// spread and tone of the result.
+bool Fit::agrees_better(const std::array<double, 8>& before) const {
+  PhotometricParameters old = parameters_;
+  old.to_cells = before;
+  return sums(parameters_, few(), false).squared <= sums(old, few(), false).squared;
+}
+
+std::optional<PhotometricFit> Fit::result(const Corners& corners) const {
+  const std::optional<Corners> ideal = ideal_corners();
+  if (!ideal) return std::nullopt;
+  const double allowed = std::max(std::min(kMaxShift_px, kMaxShiftOfSmallCells * cell_px_),
+                                  kMaxShiftOfLargeCells * cell_px_);
+  PhotometricFit fit;
+  for (int i = 0; i < 4; ++i) {
+    fit.corners[i] = to_image_px(options_.lens, (*ideal)[i]);
+    if (!(length(fit.corners[i] - corners[i]) <= allowed)) return std::nullopt;
+  }
+  const Matrix8 jacobian = lens_jacobian(options_.lens, *ideal) *
+                           corner_jacobian(parameters_.to_cells, frame_, *ideal, scratch_.pattern);
+  const Normal inverse = factor_.solve(Normal::Identity());
+  const Matrix8 covariance =
+      variance_ * (jacobian * inverse.topLeftCorner<8, 8>() * jacobian.transpose());
+  for (int a = 0; a < 8; ++a) {
+    for (int b = 0; b < 8; ++b) fit.covariance[a * 8 + b] = covariance(a, b);
+  }
+  fit.parameters = parameters_;
+  fit.noise = std::sqrt(variance_);
+  return fit;
+}
+
+std::optional<PhotometricFit> Fit::run(const codec::Family& family, codec::TagId id,
+                                       const Corners& corners) {
+  scratch_.pattern.assign(family, id, 1);
+  if (!begin(corners) || !choose(kNearSpreads * kFirstSpread_px)) return std::nullopt;
+  const std::array<double, 8> before = parameters_.to_cells;
+  if (!first_step() || !step(few()) || !step(few())) return std::nullopt;
+  const bool far = spread_px(parameters_) > kReachShare * cell_px_;
+  if (far) scratch_.pattern.assign(family, id, kMaxCellReach);
+  if (far || spread_px(parameters_) > kWideSpread_px) {
+    if (!choose(kNearSpreads * spread_px(parameters_))) return std::nullopt;
+  }
+  for (int i = 0; i < kMaxFullSteps; ++i) {
+    if (!step(1)) return std::nullopt;
+    if (moved_px_ < kStill_px) break;
+  }
+  if (!small_step() || !agrees_better(before)) return std::nullopt;
+  return result(corners);
+}
+
+}  // namespace
+
+std::optional<PhotometricFit> refine_photometric(ImageView image, const codec::Family& family,
+                                                 codec::TagId id, const Corners& corners,
+                                                 const PhotometricOptions& options,
+                                                 PhotometricScratch& scratch) {
+  return Fit(image, options, scratch).run(family, id, corners);
+}
+
+bool refine_detection(ImageView image, Detection& detection, const PhotometricOptions& options,
+                      PhotometricScratch& scratch) {
+  const std::optional<PhotometricFit> fit = refine_photometric(
+      image, *detection.family, detection.id, detection.corners, options, scratch);
+  if (!fit) return false;
+  const std::optional<Homography> homography = Homography::from_corners(fit->corners);
+  if (!homography) return false;
+  detection.corners = fit->corners;
+  detection.homography = *homography;
+  detection.center = homography->project({0, 0});
+  detection.corner_covariance = fit->covariance;
+  return true;
+}
+
+}  // namespace tagmint::detect

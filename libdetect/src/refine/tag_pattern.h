@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "tagmint/codec/family.h"
+
+namespace tagmint::detect {
+
+/// Cells on each side of a pixel's own cell that can reach into the pixel: one while the
+/// point-spread is narrow against the cells, two where it is wide.
+inline constexpr int kMaxCellReach = 2;
+
+/// Numbers of a cell's surroundings are packed eight to a word.
+inline constexpr int kCodesPerWord = 8;
+constexpr int words_for_reach(int reach) {
+  const int side = 2 * reach + 1;
+  return (side * side + kCodesPerWord - 1) / kCodesPerWord;
+}
+inline constexpr int kMaxPatternWords = words_for_reach(kMaxCellReach);
+
+/// What the tag's picture is around one cell, ready to be mixed.
+///
+/// With brightness c(i, j) of the cells around (0 black, 2 white, 1 not known) the picture at a
+/// place is the sum of M(a, b) P_a(u) P_b(v), where P_0 = 1, P_a is the edge profile across the
+/// a-th grid line from the left (or top) of the surroundings and M holds the mixed differences of c:
+/// M(0,0) = c of the top left cell, M(a,0) = its differences along x, M(0,b) along y, and M(a,b)
+/// both.
+struct CellSurroundings {
+  /// M by reach: code a + b (2 reach + 1) is signed, of four bits, from the least bits up.
+  std::uint32_t words[kMaxPatternWords] = {};
+};
+
+/// The grid of a tag with the colours of all cells that are known, and what lies around each.
+class TagPattern {
+ public:
+  /// Makes the pattern of a tag, upright.
+  ///   reach   1 or kMaxCellReach
+  void assign(const codec::Family& family, codec::TagId id, int reach);
+
+  int reach() const { return reach_; }
+  /// Side of the tag in cells.
+  int width() const { return width_; }
+  /// The border square in cells from the tag's outer edge: [border_begin, border_end] both ways.
+  int border_begin() const { return border_begin_; }
+  int border_end() const { return border_end_; }
+
+  /// 0 <= x, y < width(): row-major index of a cell.
+  int index(int x, int y) const { return y * width_ + x; }
+  const CellSurroundings& surroundings(int index) const { return surroundings_[index]; }
+  /// Bits of kChange* and kUnknown* of all cells.
+  const std::vector<std::int32_t>& flags() const { return flags_; }
+
+  /// Twice the brightness of a cell: 0 black, 2 white, 1 not known; any x, y.
+  int brightness(int x, int y) const;
+
+  /// The colour changes across this side of the cell, and both sides of it are known.
+  static constexpr std::int32_t kChangeLeft = 1, kChangeRight = 2, kChangeUp = 4, kChangeDown = 8;
+  /// A cell beyond this side, straight or diagonally, is not known.
+  static constexpr std::int32_t kUnknownLeft = 16, kUnknownRight = 32, kUnknownUp = 64,
+                                kUnknownDown = 128;
+  /// The cell itself is known.
+  static constexpr std::int32_t kKnown = 256;
+
+ private:
+  CellSurroundings surroundings_of(int x, int y) const;
+  std::int32_t flags_of(int x, int y) const;
+
+  int reach_ = 1;
+  int width_ = 0;
+  int border_begin_ = 0;
+  int border_end_ = 0;
+  std::vector<std::int8_t> brightness_;
+  std::vector<CellSurroundings> surroundings_;
+  std::vector<std::int32_t> flags_;
+};
+
+}  // namespace tagmint::detect
