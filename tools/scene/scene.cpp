@@ -38,6 +38,11 @@ struct CheckBackground {
     require_range("background.texture.amplitude", texture.amplitude, 0, 255);
     require_range("background.texture.scale_px", texture.scale_px, 1, 1e6);
   }
+  void operator()(const ClutterBackground& clutter) const {
+    require_range("background.clutter.shapes", clutter.shapes, 0, kMaxShapes);
+    require_range("background.clutter.min_px", clutter.min_px, 0.1, 1e6);
+    require_range("background.clutter.max_px", clutter.max_px, clutter.min_px, 1e6);
+  }
   void operator()(const PhotoBackground& photo) const {
     require(photo.image.width() > 0 && photo.image.height() > 0,
             "background.image has no pixels; give a picture");

@@ -48,14 +48,23 @@ struct TextureBackground {
   double scale_px = 48;   ///< size of the coarsest blobs, >= 1
 };
 
+/// Convex shapes of three to six corners and any gray level over one another, sizes spread evenly
+/// over their logarithm: edges and corners everywhere, as on a full desk.
+struct ClutterBackground {
+  int shapes = 500;     ///< 0 .. kMaxShapes
+  double min_px = 6;    ///< smallest longest diameter, above 0
+  double max_px = 250;  ///< largest one, >= min_px
+};
+inline constexpr int kMaxShapes = 1'000'000;
+
 /// A photograph behind the tags, scaled to cover the scene and cut evenly.
 struct PhotoBackground {
   std::string path;     ///< as it is named in messages and scene files
   detect::Image image;  ///< not empty
 };
 
-using Background =
-    std::variant<PlainBackground, GradientBackground, TextureBackground, PhotoBackground>;
+using Background = std::variant<PlainBackground, GradientBackground, TextureBackground,
+                                ClutterBackground, PhotoBackground>;
 
 /// Light that falls off evenly: full at one end of the image, (1 - strength) of it at the other.
 struct Shading {

@@ -65,7 +65,7 @@ detect::Camera read_camera(const JsonValue& value, int width, int height) {
 }
 
 Background read_background(const JsonValue& value, const fs::path& folder) {
-  value.require_keys({"gray", "gradient", "texture", "image"});
+  value.require_keys({"gray", "gradient", "texture", "clutter", "image"});
   const std::string kind = value.only_key();
   const JsonValue details = value.at(kind);
   if (kind == "gray") return PlainBackground{details.number(0, 255)};
@@ -84,6 +84,16 @@ Background read_background(const JsonValue& value, const fs::path& folder) {
     if (details.has("amplitude")) texture.amplitude = details.at("amplitude").number(0, 255);
     if (details.has("scale_px")) texture.scale_px = details.at("scale_px").number(1, 1e6);
     return texture;
+  }
+  if (kind == "clutter") {
+    details.require_keys({"shapes", "min_px", "max_px"});
+    ClutterBackground clutter;
+    if (details.has("shapes")) {
+      clutter.shapes = static_cast<int>(details.at("shapes").whole(0, kMaxShapes));
+    }
+    if (details.has("min_px")) clutter.min_px = details.at("min_px").number(0.1, 1e6);
+    if (details.has("max_px")) clutter.max_px = details.at("max_px").number(0.1, 1e6);
+    return clutter;
   }
   const std::string path = details.text();
   return PhotoBackground{path, io::read_gray_image((folder / path).string())};
