@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "scene/counter_random.h"
-#include "scene/coverage.h"
+#include "scene/fill.h"
 
 namespace tagmint::scene {
 namespace {
@@ -30,23 +30,6 @@ std::vector<Point> random_shape(Point centre, double size_px, RandomStream& rand
   return shape;
 }
 
-void paint(const std::vector<Point>& shape, float gray, Coverage& coverage,
-           std::vector<double>& row, GrayPlane& plane) {
-  coverage.add(shape);
-  const PixelBox box = coverage.box();
-  if (!box.empty()) {
-    row.resize(static_cast<std::size_t>(box.x1 - box.x0));
-    for (int y = box.y0; y < box.y1; ++y) {
-      coverage.read_row(y, row);
-      float* level = plane.row(y) + box.x0;
-      for (std::size_t i = 0; i < row.size(); ++i) {
-        level[i] += static_cast<float>(row[i]) * (gray - level[i]);
-      }
-    }
-  }
-  coverage.clear();
-}
-
 }  // namespace
 
 GrayPlane draw_clutter(const ClutterBackground& clutter, int width, int height,
@@ -54,15 +37,14 @@ GrayPlane draw_clutter(const ClutterBackground& clutter, int width, int height,
   constexpr std::uint64_t kStream = 29;  // apart from those of noise, texture and random scenes
   RandomStream random(mix_bits(seed) + kStream);
   GrayPlane plane(width, height, static_cast<float>(random.uniform(0, 255)));
-  Coverage coverage(width, height);
-  std::vector<double> row;
+  Painter painter(plane);
   for (int i = 0; i < clutter.shapes; ++i) {
     // Sizes spread evenly over their logarithm, from the largest down.
     const double place = (i + 0.5) / clutter.shapes;
     const double size_px = clutter.max_px * std::pow(clutter.min_px / clutter.max_px, place);
     const Point centre{random.uniform(0, width), random.uniform(0, height)};
     const std::vector<Point> shape = random_shape(centre, size_px, random);
-    paint(shape, static_cast<float>(random.uniform(0, 255)), coverage, row, plane);
+    painter.fill(shape, random.uniform(0, 255));
   }
   return plane;
 }

@@ -54,7 +54,7 @@ Corners turned_square(Point centre, double side_px, double angle_rad) {
 scene::Scene grid_scene(double side_px, const PictureSize& largest, std::uint64_t seed) {
   constexpr int kColumns = 16;
   constexpr int kRows = 12;
-  // The paper of a tag36h11 is 1.25 sides wide, its diagonal 1.77.
+  // With its white ring a tag36h11 is 1.25 sides wide, its diagonal 1.77.
   const double pitch = 1.8 * side_px + 4;
   const int columns = std::clamp(static_cast<int>(largest.width / pitch), 1, kColumns);
   const int rows = std::clamp(static_cast<int>(largest.height / pitch), 1, kRows);
@@ -63,6 +63,7 @@ scene::Scene grid_scene(double side_px, const PictureSize& largest, std::uint64_
   scene.height = static_cast<int>(std::ceil(rows * pitch));
   scene.camera = scene::default_camera(scene.width, scene.height);
   scene.background = scene::PlainBackground{130};
+  scene.quiet_zone_cells = 0;  // the white ring of one cell is the tag's own
   scene.seed = seed;
   scene::RandomStream random(scene::mix_bits(seed));
   const codec::SharedFamily family = codec::find_family("tag36h11");

@@ -14,6 +14,7 @@
 
 #include "detector/measure.h"
 #include "detector/table.h"
+#include "io/images.h"
 
 namespace tagmint::bench {
 namespace {
@@ -27,6 +28,7 @@ struct Arguments {
   std::string labelled;
   std::string instructions;
   std::string csv;
+  std::string save;
   bool quick = false;
   bool list = false;
 };
@@ -54,6 +56,7 @@ void add_options(CLI::App& app, Arguments& a) {
   app.add_option("--instructions", a.instructions,
                  "the one instruction set that vector code may use, like AVX2 or SSE4");
   app.add_option("-o", a.csv, "write all rows to a CSV file");
+  app.add_option("--save", a.save, "draw only: the sets' first pictures as PNG into this folder");
   app.add_flag("--quick", a.quick, "about a minute: one picture a set, every third of a group");
   app.add_flag("--list", a.list, "name the sets and stop");
 }
@@ -127,6 +130,12 @@ void run(Arguments a) {
   }
   if (a.list) {
     for (const PictureSet& set : sets) fmt::print("{:<16} {}\n", set.name, set.about);
+    return;
+  }
+  if (!a.save.empty()) {
+    for (const PictureSet& set : sets) {
+      io::write_png(a.save + "/" + set.name + ".png", set.draw(0, a.measure.seed).image.view());
+    }
     return;
   }
   const std::vector<ContenderKind> kinds = wanted_contenders(a);

@@ -4,6 +4,7 @@
 
 #include "detector/drawn_scene.h"
 #include "detector/picture_set.h"
+#include "detector/scattered_sets.h"
 
 namespace tagmint::bench {
 namespace {
@@ -14,33 +15,6 @@ const std::string kFamily = "tag36h11";
 
 /// Seen from the front, px; tilted by up to 50 degrees they look as small as 8 px.
 constexpr double kCrowdedSide_px = 10;
-
-/// Tags scattered over a picture of clutter.
-RandomSceneOptions scattered(const PictureSize& size, int count, double min_side_px,
-                             double max_side_px) {
-  RandomSceneOptions options;
-  options.width = size.width;
-  options.height = size.height;
-  options.count = count;
-  options.min_side_px = min_side_px;
-  options.max_side_px = max_side_px;
-  options.max_tilt_deg = 50;
-  options.background = scene::ClutterBackground{};
-  options.effects = camera_effects(5);
-  return options;
-}
-
-/// A set of random scenes that differ in their seed.
-PictureSet random_set(std::string name, std::string about, const RandomSceneOptions& options,
-                      Task task = {}) {
-  PictureSet set{.name = std::move(name), .about = std::move(about), .task = std::move(task)};
-  set.draw = [options, families = set.task.families](int index, std::uint64_t seed) {
-    RandomSceneOptions own = options;
-    own.seed = picture_seed(seed, index);
-    return picture_of(scene::random_scene(choices_of(families), own));
-  };
-  return set;
-}
 
 /// A set of grids of tags of one side.
 PictureSet grid_set(std::string name, std::string about, double side_px,
@@ -96,25 +70,6 @@ void add_sets_of_noise(const PictureSize& size, std::vector<PictureSet>& sets) {
       random_set("faint", "30 tags of 40 to 100 px, 8 gray levels of contrast, noise 1", faint));
 }
 
-void add_hard_sets(const PictureSize& size, std::vector<PictureSet>& sets) {
-  for (const int tilt : {60, 70, 75, 80}) {
-    RandomSceneOptions options = scattered(size, 30, 60, 60);
-    options.min_tilt_deg = options.max_tilt_deg = tilt;
-    options.background = scene::PlainBackground{130};
-    options.effects = camera_effects(2);
-    sets.push_back(random_set(fmt::format("tilted-{}", tilt),
-                              fmt::format("30 tags of 60 px tilted by {} degrees, noise 2", tilt),
-                              options));
-  }
-  for (const int blur : {1, 2, 3}) {
-    RandomSceneOptions options = scattered(size, 30, 20, 60);
-    options.effects = camera_effects(2, blur);
-    sets.push_back(random_set(
-        fmt::format("blurred-{}", blur),
-        fmt::format("30 tags of 20 to 60 px on clutter, blur {} px, noise 2", blur), options));
-  }
-}
-
 void add_sets_of_cost(const PictureSize& size, std::vector<PictureSet>& sets) {
   const std::vector<std::string> three = {kFamily, "tag25h9", "tagStandard41h12"};
   RandomSceneOptions options = scattered(size, 54, 20, 100);
@@ -153,7 +108,7 @@ std::vector<PictureSet> rendered_sets(const PictureSize& size) {
   add_usual_sets(size, sets);
   add_sets_by_size(size, sets);
   add_sets_of_noise(size, sets);
-  add_hard_sets(size, sets);
+  for (PictureSet& set : hard_sets(size)) sets.push_back(std::move(set));
   add_sets_of_cost(size, sets);
   return sets;
 }
