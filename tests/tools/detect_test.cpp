@@ -302,7 +302,13 @@ TEST(RenderProgram, TellsFaultsInOneLine) {
                "like 640x480");
   expect_fault({"render", "tag36h11", "-o", out, "--background", "textur"}, 2,
                "'textur' is neither a background nor a file (--background); give gray:LEVEL, "
-               "gradient:FROM,TO, texture, texture:GRAY,AMPLITUDE or a picture");
+               "gradient:FROM,TO, texture, texture:GRAY,AMPLITUDE, clutter, clutter:SHAPES or a "
+               "picture");
+  expect_fault({"render", "tag36h11", "-o", out, "--background", "clutter:2.5"}, 2,
+               "clutter of 2.5 shapes cannot be (--background); give a whole number from 0 to "
+               "1000000");
+  expect_fault({"render", "tag36h11", "-o", out, "--motion-blur", "6,x"}, 2,
+               "'x' is no number (--motion-blur); give LENGTH or LENGTH,ANGLE");
   for (const auto& [option, value, range] :
        {std::array{"--noise", "nan", "0 to 255"}, std::array{"--blur", "inf", "0 to 1000"},
         std::array{"--shading", "nan", "0 to 0.99"}, std::array{"--max-tilt", "-5", "0 to 85"},

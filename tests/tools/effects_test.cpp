@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "scene/background.h"
 
@@ -89,16 +90,63 @@ TEST(Noise, OfNeighboursIsIndependent) {
   EXPECT_NEAR(down / (640 * 480 * 100.0), 0, 4.0 / 554);
 }
 
-TEST(Shading, RunsFromFullLightToOneLessStrength) {
-  GrayPlane plane(101, 51, 200.0F);
-  apply_shading({.strength = 0.4, .angle_deg = 0}, plane);
-  EXPECT_NEAR(plane.row(20)[0], 200 * (1 - 0.4 * 0.5 / 101), 1e-3);
-  EXPECT_NEAR(plane.row(20)[50], 160, 1e-3);
-  EXPECT_NEAR(plane.row(20)[100], 200 * (1 - 0.4 * 100.5 / 101), 1e-3);
-  GrayPlane down(101, 51, 200.0F);
-  apply_shading({.strength = 0.4, .angle_deg = 90}, down);
-  EXPECT_NEAR(down.row(0)[7], 200 * (1 - 0.4 * 0.5 / 51), 1e-3);
-  EXPECT_NEAR(down.row(25)[7], 160, 1e-3);
+/// Mean place and second moments about it of what a bright point becomes.
+struct Spot {
+  double mass = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0;
+};
+
+Spot moved_point(const MotionBlur& motion) {
+  GrayPlane plane(81, 81);
+  plane.row(40)[40] = 1;
+  apply_motion_blur(motion, plane);
+  Spot spot;
+  for (int y = 0; y < 81; ++y) {
+    for (int x = 0; x < 81; ++x) {
+      const double level = plane.row(y)[x];
+      spot.mass += level;
+      spot.x += level * (x - 40);
+      spot.y += level * (y - 40);
+      spot.xx += level * (x - 40) * (x - 40);
+      spot.xy += level * (x - 40) * (y - 40);
+      spot.yy += level * (y - 40) * (y - 40);
+    }
+  }
+  return spot;
+}
+
+TEST(MotionBlur, SpreadsAPointEvenlyOverItsLengthAndStaysInPlace) {
+  for (const double angle : {0.0, 30.0, 90.0, 135.0}) {
+    for (const double length : {3.0, 8.0, 20.5}) {
+      const Spot spot = moved_point({.length_px = length, .angle_deg = angle});
+      const double c = std::cos(angle * std::numbers::pi / 180);
+      const double s = std::sin(angle * std::numbers::pi / 180);
+      EXPECT_NEAR(spot.mass, 1, 1e-5);
+      EXPECT_NEAR(spot.x, 0, 1e-4);
+      EXPECT_NEAR(spot.y, 0, 1e-4);
+      const double along = c * c * spot.xx + 2 * c * s * spot.xy + s * s * spot.yy;
+      const double across = s * s * spot.xx - 2 * c * s * spot.xy + c * c * spot.yy;
+      // A line's variance is length^2 / 12; sharing between pixels adds a quarter at most.
+      EXPECT_GE(along, length * length / 12 - 0.01) << angle << ' ' << length;
+      EXPECT_LE(along, length * length / 12 + 0.26) << angle << ' ' << length;
+      EXPECT_LE(across, 0.26) << angle << ' ' << length;
+    }
+  }
+}
+
+TEST(MotionBlur, LeavesAnEvenPictureAlone) {
+  GrayPlane plane(30, 7, 93.0F);
+  apply_motion_blur({.length_px = 12, .angle_deg = 40}, plane);
+  for (const float level : plane.levels) EXPECT_NEAR(level, 93, 1e-3);
+}
+
+TEST(Gamma, BrightensMiddleLightAndKeepsBlackAndWhite) {
+  GrayPlane plane(4, 1);
+  plane.levels = {0, 51, 255, 300};
+  apply_gamma(2.2, plane);
+  EXPECT_NEAR(plane.levels[0], 0, 1e-3);
+  EXPECT_NEAR(plane.levels[1], 255 * std::pow(0.2, 1 / 2.2), 1e-2);
+  EXPECT_NEAR(plane.levels[2], 255, 1e-3);
+  EXPECT_NEAR(plane.levels[3], 255, 1e-3);
 }
 
 TEST(Background, GradientMeetsItsEnds) {

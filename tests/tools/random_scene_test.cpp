@@ -31,6 +31,7 @@ TEST(RandomScene, KeepsToSizesAndTilts) {
   options.count = 60;
   options.min_side_px = 20;
   options.max_side_px = 60;
+  options.min_tilt_deg = 15;
   options.max_tilt_deg = 40;
   const Scene scene = random_scene(one_family(), options);
   ASSERT_EQ(scene.tags.size(), 60U);
@@ -45,6 +46,7 @@ TEST(RandomScene, KeepsToSizesAndTilts) {
     EXPECT_LE(side, 60 + 1e-9);
     const double cosine = (R[2] * t[0] + R[5] * t[1] + R[8] * t[2]) / distance;
     const double tilt = std::acos(std::min(1.0, cosine)) * 180 / std::numbers::pi;
+    EXPECT_GE(tilt, 15 - 1e-6);
     EXPECT_LE(tilt, 40 + 1e-6);
     largest = std::max(largest, tilt);
   }
@@ -70,6 +72,15 @@ TEST(RandomScene, IsTheSameForTheSameSeedAlone) {
   EXPECT_NE(first, render(random_scene(one_family(), options)).image);
 }
 
+TEST(RandomScene, IsSeenThroughTheCameraGiven) {
+  RandomSceneOptions options;
+  options.camera = default_camera(options.width, options.height);
+  options.camera->k1 = -0.2;
+  const Scene scene = random_scene(one_family(), options);
+  EXPECT_EQ(scene.camera.k1, -0.2);
+  for (const TagTruth& truth : render(scene).truth) EXPECT_NEAR(truth.visible, 1, 1e-6);
+}
+
 TEST(RandomScene, HasFewerTagsWhereThereIsNoRoom) {
   RandomSceneOptions options;
   options.count = 40;
@@ -89,6 +100,8 @@ TEST(RandomScene, RefusesImpossibleOptions) {
   refused([](auto& o) { o.min_side_px = 0; });
   refused([](auto& o) { o.max_side_px = 10; });
   refused([](auto& o) { o.max_tilt_deg = 86; });
+  refused([](auto& o) { o.min_tilt_deg = 60; });
+  refused([](auto& o) { o.min_tilt_deg = -1; });
   refused([](auto& o) { o.edge_m = 0; });
   refused([](auto& o) { o.width = 0; });
   EXPECT_THROW(random_scene({}, RandomSceneOptions{}), std::invalid_argument);

@@ -190,6 +190,36 @@ TEST(Render, DependsOnTheSeedAndNotOnThreads) {
   EXPECT_NE(one, render(scene, 1).image);
 }
 
+TEST(Render, OfLightMarksAndCameraEffectsDoesNotDependOnThreads) {
+  Scene scene = plain_scene(320, 240);
+  scene.background = ClutterBackground{};
+  scene.tags = {tag_at({0, 0, 0.5}, {20, 30, 40})};
+  scene.marks = {{.path = {{100, 90}, {200, 140}}, .width_px = 5}};
+  scene.effects.shadows = {{.polygon = {{0, 0}, {180, 0}, {120, 240}, {0, 240}}, .light = 0.5}};
+  scene.effects.glare = {{.centre = {160, 100}, .radius_px = 20, .strength = 90}};
+  scene.effects.vignetting = 0.4;
+  scene.effects.motion_blur = {.length_px = 5, .angle_deg = 20};
+  scene.effects.gamma = 2.2;
+  scene.effects.noise_sigma = 2;
+  const detect::Image one = render(scene, 1).image;
+  EXPECT_EQ(one, render(scene, 2).image);
+  const std::vector<TagTruth> truth = render(scene).truth;
+  scene.marks.clear();
+  scene.effects = {};
+  const Rendering plain = render(scene);
+  EXPECT_NE(one, plain.image);
+  EXPECT_EQ(truth[0].corners, plain.truth[0].corners);
+}
+
+TEST(Render, LaysMarksOverTags) {
+  Scene scene = plain_scene(200, 200);
+  scene.tags = {tag_at(turned_square({100, 100}, 80, 0))};  // border from 60 to 140
+  scene.marks = {{.path = {{65, 100}}, .width_px = 6, .gray = 120}};
+  const detect::Image image = render(scene).image;
+  EXPECT_EQ(image.at(65, 100), 120);
+  EXPECT_EQ(image.at(65, 110), 30);
+}
+
 TEST(Render, DrawsEveryCellOfTheTag) {
   const codec::SharedFamily family = test::arbitrary_family("circle:9");
   Scene scene = plain_scene(200, 200);
@@ -307,6 +337,13 @@ TEST(Render, RefusesImpossibleScenes) {
   refused([](Scene& s) { s.effects.black = 230; }, "black must be the darker");
   refused([](Scene& s) { s.effects.shading.strength = 1; }, "shading.strength");
   refused([](Scene& s) { s.background = PhotoBackground{}; }, "no pixels");
+  refused([](Scene& s) { s.background = ClutterBackground{.shapes = -1}; }, "clutter.shapes is -1");
+  refused([](Scene& s) { s.marks = {{.path = {{std::nan(""), 0}}}}; }, "marks[0].path holds");
+  refused([](Scene& s) { s.marks = {{.path = {{1, 1}}, .width_px = 0}}; }, "marks[0].width_px");
+  refused([](Scene& s) { s.effects.shadows = {{.polygon = {{0, 0}, {1, 1}}}}; }, "three corners");
+  refused([](Scene& s) { s.effects.glare = {{.radius_px = 0}}; }, "glare[0].radius_px is 0");
+  refused([](Scene& s) { s.effects.vignetting = 1; }, "vignetting is 1");
+  refused([](Scene& s) { s.effects.gamma = 0; }, "gamma is 0");
   refused([](Scene& s) { s.tags[0].id = 8; }, "tags[0]: id 8 is not in");
   refused([](Scene& s) { s.tags[0].family = nullptr; }, "no family");
   refused([](Scene& s) { s.tags[0] = tag_at({0, 0, -1}, {0, 0, 0}); }, "behind the camera");

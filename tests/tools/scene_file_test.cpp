@@ -70,6 +70,35 @@ TEST(SceneFile, ReadsEveryKey) {
   EXPECT_EQ(scene.seed, 18446744073709551615ULL);
 }
 
+TEST(SceneFile, ReadsMarksLightAndTheCamerasEffects) {
+  const Scene scene = parse(R"({
+    "width": 320, "height": 200, "tags": [],
+    "background": {"clutter": {"shapes": 70, "min_px": 5, "max_px": 90}},
+    "marks": [{"path": [[1, 2], [3, 4]], "width_px": 1.5, "gray": 60}, {"path": [[5, 6]]}],
+    "shadows": [{"polygon": [[0, 0], [90, 0], [0, 90]], "light": 0.4}],
+    "glare": [{"center": [30, 40], "radius_px": 20, "strength": 150}],
+    "vignetting": 0.3, "motion_blur": {"length_px": 6, "angle_deg": 30}, "gamma": 2.2})");
+  EXPECT_EQ(std::get<ClutterBackground>(scene.background).shapes, 70);
+  EXPECT_EQ(std::get<ClutterBackground>(scene.background).min_px, 5);
+  EXPECT_EQ(std::get<ClutterBackground>(scene.background).max_px, 90);
+  ASSERT_EQ(scene.marks.size(), 2U);
+  EXPECT_EQ(scene.marks[0].path[1], (detect::Point{3, 4}));
+  EXPECT_EQ(scene.marks[0].width_px, 1.5);
+  EXPECT_EQ(scene.marks[0].gray, 60);
+  EXPECT_EQ(scene.marks[1].width_px, 2);
+  ASSERT_EQ(scene.effects.shadows.size(), 1U);
+  EXPECT_EQ(scene.effects.shadows[0].polygon[2], (detect::Point{0, 90}));
+  EXPECT_EQ(scene.effects.shadows[0].light, 0.4);
+  ASSERT_EQ(scene.effects.glare.size(), 1U);
+  EXPECT_EQ(scene.effects.glare[0].centre, (detect::Point{30, 40}));
+  EXPECT_EQ(scene.effects.glare[0].radius_px, 20);
+  EXPECT_EQ(scene.effects.glare[0].strength, 150);
+  EXPECT_EQ(scene.effects.vignetting, 0.3);
+  EXPECT_EQ(scene.effects.motion_blur.length_px, 6);
+  EXPECT_EQ(scene.effects.motion_blur.angle_deg, 30);
+  EXPECT_EQ(scene.effects.gamma, 2.2);
+}
+
 TEST(SceneFile, LeavesDefaultsWhereNothingIsSaid) {
   const Scene scene = parse(R"({"width":640,"height":480,"tags":[]})");
   EXPECT_EQ(scene.camera.fx, 640);
@@ -84,8 +113,8 @@ TEST(SceneFile, NamesThePlaceOfEveryFault) {
                "not valid JSON (test.json:2); look for a missing comma, quote or bracket there");
   expect_fault("[]",
                "the scene is not an object (test.json); write {...} with the keys width, height, "
-               "camera, background, quiet_zone_cells, tags, black, white, shading, blur_px, noise, "
-               "seed");
+               "camera, background, quiet_zone_cells, tags, marks, black, white, shading, shadows, "
+               "glare, vignetting, motion_blur, blur_px, gamma, noise, seed");
   expect_fault(R"({"width":1,"width":2,"height":3,"tags":[]})",
                "the key 'width' is given twice (test.json); keep one of them");
   expect_fault(R"({"width":9,"heigth":3,"tags":[]})",
@@ -105,6 +134,28 @@ TEST(SceneFile, NamesThePlaceOfEveryFault) {
                "camera.fx is 0 (test.json); it must be from 0.001 to 1000000000");
   expect_fault(R"({"width":9,"height":3,"tags":[],"black":100,"white":90})",
                "black is 100 and white 90; black must be the darker one (test.json)");
+}
+
+TEST(SceneFile, NamesTheMarkOrTheLightAtFault) {
+  const auto with = [](const std::string& member) {
+    return R"({"width":9,"height":3,"tags":[],)" + member + "}";
+  };
+  expect_fault(with(R"("marks":[{"path":[]}])"),
+               "marks[0]: its path has no point; give one or more (test.json)");
+  expect_fault(with(R"("marks":[{"path":[[1,2,3]]}])"),
+               "marks[0].path[0] has 3 numbers (test.json); give 2 of them");
+  expect_fault(with(R"("shadows":[{"polygon":[[1,2],[3,4]]}])"),
+               "shadows[0]: its polygon has fewer than three corners; give three or more "
+               "(test.json)");
+  expect_fault(with(R"("shadows":[{"light":2}])"),
+               "shadows[0] lacks 'polygon' (test.json); add it");
+  expect_fault(with(R"("glare":[{"center":[1,2],"radius_pix":3}])"),
+               "glare[0] has an unknown key 'radius_pix' (test.json); did you mean 'radius_px'?");
+  expect_fault(with(R"("motion_blur":{"length_px":-1})"),
+               "motion_blur.length_px is -1 (test.json); it must be from 0 to 1000");
+  expect_fault(with(R"("gamma":0)"), "gamma is 0 (test.json); it must be from 0.1 to 10");
+  expect_fault(with(R"("background":{"clutter":{"min_px":9,"max_px":8}})"),
+               "background.clutter.max_px is 8; it must be from 9 to 1000000 (test.json)");
 }
 
 TEST(SceneFile, NamesTheTagAtFault) {

@@ -76,6 +76,10 @@ void add_random_options(CLI::App& app, RenderArguments& arguments) {
       ->type_name("PX")
       ->check(number_between(1, scene::kMaxSide_px))
       ->group(group);
+  app.add_option("--min-tilt", random.min_tilt_deg, "smallest tilt, degrees")
+      ->type_name("DEG")
+      ->check(number_between(0, 85))
+      ->group(group);
   app.add_option("--max-tilt", random.max_tilt_deg, "largest tilt, degrees")
       ->type_name("DEG")
       ->check(number_between(0, 85))
@@ -97,7 +101,8 @@ void add_random_options(CLI::App& app, RenderArguments& arguments) {
       ->check(CLI::Range(0, 64))
       ->group(group);
   app.add_option("--background", arguments.background,
-                 "gray:LEVEL, gradient:FROM,TO, texture[:GRAY,AMPLITUDE] or a picture")
+                 "gray:LEVEL, gradient:FROM,TO, texture[:GRAY,AMPLITUDE], clutter[:SHAPES] or a "
+                 "picture")
       ->type_name("WHAT")
       ->group(group);
   app.add_option("--noise", random.effects.noise_sigma, "sigma of the noise, gray levels")
@@ -111,6 +116,17 @@ void add_random_options(CLI::App& app, RenderArguments& arguments) {
   app.add_option("--shading", random.effects.shading.strength, "share of the light that is lost")
       ->type_name("0..1")
       ->check(number_between(0, 0.99))
+      ->group(group);
+  app.add_option("--vignetting", random.effects.vignetting, "share lost in the corners")
+      ->type_name("0..1")
+      ->check(number_between(0, 0.99))
+      ->group(group);
+  app.add_option("--motion-blur", arguments.motion_blur, "length of the movement and its direction")
+      ->type_name("PX[,DEG]")
+      ->group(group);
+  app.add_option("--gamma", random.effects.gamma, "of the camera")
+      ->type_name("G")
+      ->check(number_between(0.1, 10))
       ->group(group);
   app.add_option_function<std::string>(
          "--seed", [&random](const std::string& text) { random.seed = parse_seed(text); },

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -52,6 +53,14 @@ std::pair<int, int> parse_size(const std::string& text) {
   return {width, height};
 }
 
+/// "6" or "6,30" -> 6 px along 0 or 30 degrees.
+scene::MotionBlur parse_motion_blur(const std::string& text) {
+  if (text.empty()) return {};
+  const std::size_t count = text.find(',') == std::string::npos ? 1 : 2;
+  const auto numbers = parse_numbers(text, count, "--motion-blur", "LENGTH or LENGTH,ANGLE");
+  return {.length_px = numbers[0], .angle_deg = count == 2 ? numbers[1] : 0};
+}
+
 std::vector<scene::TagChoice> choose_tags(const RenderArguments& arguments) {
   std::vector<scene::TagChoice> choices;
   for (const std::string& name : arguments.inputs) {
@@ -67,6 +76,7 @@ scene::Scene make_random_scene(const RenderArguments& arguments) {
   scene::RandomSceneOptions options = arguments.random;
   std::tie(options.width, options.height) = parse_size(arguments.size);
   options.background = parse_background(arguments.background);
+  options.effects.motion_blur = parse_motion_blur(arguments.motion_blur);
   options.count = arguments.count;
   bool fewer_will_do = false;
   if (options.count == 0) {
@@ -109,11 +119,20 @@ scene::Background parse_background(const std::string& text) {
     const auto levels = parse_numbers(rest, 2, "--background", "texture:GRAY,AMPLITUDE");
     return scene::TextureBackground{.gray = levels[0], .amplitude = levels[1]};
   }
+  if (text == "clutter") return scene::ClutterBackground{};
+  if (kind == "clutter" && !rest.empty()) {
+    const double shapes = parse_numbers(rest, 1, "--background", "clutter:SHAPES")[0];
+    if (shapes != std::floor(shapes) || shapes < 0 || shapes > scene::kMaxShapes) {
+      throw UsageError(fmt::format("clutter of {} shapes cannot be", shapes), "--background",
+                       fmt::format("give a whole number from 0 to {}", scene::kMaxShapes));
+    }
+    return scene::ClutterBackground{.shapes = static_cast<int>(shapes)};
+  }
   std::error_code error;
   if (!fs::exists(text, error)) {
     throw UsageError(fmt::format("'{}' is neither a background nor a file", text), "--background",
-                     "give gray:LEVEL, gradient:FROM,TO, texture, texture:GRAY,AMPLITUDE or a "
-                     "picture");
+                     "give gray:LEVEL, gradient:FROM,TO, texture, texture:GRAY,AMPLITUDE, clutter, "
+                     "clutter:SHAPES or a picture");
   }
   return scene::PhotoBackground{text, io::read_gray_image(text)};
 }

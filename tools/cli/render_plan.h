@@ -16,6 +16,7 @@ struct RenderArguments {
   std::string size = "640x480";
   int count = 0;  ///< 0 = as many as there are --ids, else what finds room of kDefaultCount
   std::string background = "texture";
+  std::string motion_blur;  ///< "LENGTH" or "LENGTH,ANGLE", px and degrees; empty = none
   scene::RandomSceneOptions random;
   std::vector<std::string> random_options;  ///< names of the options given that a file excludes
   std::string truth;
@@ -30,7 +31,7 @@ inline constexpr int kDefaultCount = 8;
 scene::Scene plan_scene(const RenderArguments& arguments);
 
 /// What is behind the tags: `gray:LEVEL`, `gradient:FROM,TO`, `texture`, `texture:GRAY,AMPLITUDE`
-/// (gray levels), or the path of a picture. Throws UsageError, InputError.
+/// (gray levels), `clutter`, `clutter:SHAPES`, or the path of a picture. Throws UsageError, InputError.
 scene::Background parse_background(const std::string& text);
 
 }  // namespace tagmint::cli

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "scene/clutter.h"
 #include "scene/counter_random.h"
 
 namespace tagmint::scene {
@@ -67,6 +68,10 @@ GrayPlane draw(const TextureBackground& texture, int width, int height, std::uin
     }
   }
   return plane;
+}
+
+GrayPlane draw(const ClutterBackground& clutter, int width, int height, std::uint64_t seed) {
+  return draw_clutter(clutter, width, height, seed);
 }
 
 /// Source samples that one destination sample is the mean of, and their weights: a tent as wide as

@@ -7,7 +7,7 @@
 
 namespace tagmint::scene {
 
-/// The picture behind the tags. `seed` is that of the scene; only a texture depends on it.
+/// The picture behind the tags. `seed` is that of the scene; a texture and clutter depend on it.
 GrayPlane draw_background(const Background& background, int width, int height, std::uint64_t seed);
 
 /// Position of pixel centres along a direction, from 0 at the first corner of the image that the

@@ -1,35 +1,76 @@
 #include "scene/effects.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <numbers>
+#include <utility>
 
-#include "scene/background.h"
 #include "scene/counter_random.h"
+#include "scene/rows.h"
 
 namespace tagmint::scene {
 namespace {
 
-/// Calls work(y) for each row, on several threads.
-template <typename Work>
-void for_each_row(int height, Work work) {
-  constexpr int kRowsAtOnce = 16;
-  tbb::parallel_for(tbb::blocked_range<int>(0, height, kRowsAtOnce), [&](const auto& rows) {
-    for (int y = rows.begin(); y < rows.end(); ++y) work(y);
-  });
+/// One place of a kernel: the pixel (x + dx, y + dy) counts `weight`.
+struct Tap {
+  int dx = 0;
+  int dy = 0;
+  float weight = 0;
+};
+
+/// A line about (0, 0), as pixels: points along it, each shared between the four nearest pixels.
+std::vector<Tap> line_taps(const MotionBlur& motion) {
+  constexpr int kPointsPerPixel = 16;
+  const double angle = motion.angle_deg * std::numbers::pi / 180;
+  const double half_x = motion.length_px / 2 * std::cos(angle);
+  const double half_y = motion.length_px / 2 * std::sin(angle);
+  const int points = std::max(2, static_cast<int>(std::ceil(motion.length_px * kPointsPerPixel)));
+  std::map<std::pair<int, int>, double> weights;  // by dy, dx
+  for (int i = 0; i < points; ++i) {
+    const double t = 2 * (i + 0.5) / points - 1;
+    const double x = t * half_x, y = t * half_y;
+    const int left = static_cast<int>(std::floor(x)), top = static_cast<int>(std::floor(y));
+    const double fx = x - left, fy = y - top;
+    weights[{top, left}] += (1 - fx) * (1 - fy);
+    weights[{top, left + 1}] += fx * (1 - fy);
+    weights[{top + 1, left}] += (1 - fx) * fy;
+    weights[{top + 1, left + 1}] += fx * fy;
+  }
+  std::vector<Tap> taps;
+  for (const auto& [place, weight] : weights) {
+    if (weight > 0) {
+      taps.push_back({place.second, place.first, static_cast<float>(weight / points)});
+    }
+  }
+  return taps;
 }
 
 }  // namespace
 
-void apply_shading(const Shading& shading, GrayPlane& plane) {
-  if (shading.strength == 0) return;
-  const Ramp ramp(plane.width, plane.height, shading.angle_deg);
+void apply_motion_blur(const MotionBlur& motion, GrayPlane& plane) {
+  if (motion.length_px == 0) return;
+  const std::vector<Tap> taps = line_taps(motion);
+  const GrayPlane still = plane;
+  for_each_row(plane.height, [&](int y) {
+    float* out = plane.row(y);
+    std::fill(out, out + plane.width, 0.0F);
+    for (const Tap& tap : taps) {
+      const float* source = still.row(std::clamp(y + tap.dy, 0, plane.height - 1));
+      for (int x = 0; x < plane.width; ++x) {
+        out[x] += tap.weight * source[std::clamp(x + tap.dx, 0, plane.width - 1)];
+      }
+    }
+  });
+}
+
+void apply_gamma(double gamma, GrayPlane& plane) {
+  if (gamma == 1) return;
   for_each_row(plane.height, [&](int y) {
     float* row = plane.row(y);
     for (int x = 0; x < plane.width; ++x) {
-      row[x] *= static_cast<float>(1 - shading.strength * ramp.at(x, y));
+      const double light = std::clamp(row[x] / 255.0, 0.0, 1.0);
+      row[x] = static_cast<float>(255 * std::pow(light, 1 / gamma));
     }
   });
 }

@@ -35,6 +35,10 @@ void check_options(std::span<const TagChoice> choices, const RandomSceneOptions&
   require(
       options.max_tilt_deg >= 0 && options.max_tilt_deg <= 85,
       fmt::format("the largest tilt is {} degrees; it must be from 0 to 85", options.max_tilt_deg));
+  require(options.min_tilt_deg >= 0 && options.min_tilt_deg <= options.max_tilt_deg,
+          fmt::format("the tilts run from {} to {} degrees; the smallest must be from 0 to the "
+                      "largest",
+                      options.min_tilt_deg, options.max_tilt_deg));
   require(options.edge_m > 0 && std::isfinite(options.edge_m), "the edge must be above 0");
 }
 
@@ -80,8 +84,9 @@ detect::Pose random_pose(Point pixel, double side_px, const RandomSceneOptions& 
   // First a turn in the plane, then the tilt about a random axis in it, then as the line of sight.
   const double turn = random.uniform(0, 2 * std::numbers::pi);
   const double direction = random.uniform(0, 2 * std::numbers::pi);
-  const double max_tilt = options.max_tilt_deg * std::numbers::pi / 180;
-  const double tilt = std::acos(random.uniform(std::cos(max_tilt), 1));
+  constexpr double kRadians = std::numbers::pi / 180;
+  const double tilt = std::acos(random.uniform(std::cos(options.max_tilt_deg * kRadians),
+                                               std::cos(options.min_tilt_deg * kRadians)));
   const double off_axis = std::hypot(ray.x, ray.y);
   const auto sight = off_axis > 0
                          ? about_axis(-ray.y / off_axis, ray.x / off_axis, 0, std::atan(off_axis))
@@ -155,7 +160,7 @@ Scene random_scene(std::span<const TagChoice> choices, const RandomSceneOptions&
   Scene scene;
   scene.width = options.width;
   scene.height = options.height;
-  scene.camera = default_camera(options.width, options.height);
+  scene.camera = options.camera.value_or(default_camera(options.width, options.height));
   scene.background = options.background;
   scene.quiet_zone_cells = options.quiet_zone_cells;
   scene.effects = options.effects;

@@ -8,6 +8,8 @@
 #include "scene/background.h"
 #include "scene/coverage.h"
 #include "scene/effects.h"
+#include "scene/light.h"
+#include "scene/marks.h"
 #include "scene/projection.h"
 #include "scene/tag_shape.h"
 
@@ -118,6 +120,7 @@ Drawing draw_tags(const Scene& scene) {
   }
   drawing.plane = std::move(layers).finish(
       draw_background(scene.background, scene.width, scene.height, scene.seed));
+  draw_marks(scene.marks, drawing.plane);
   return drawing;
 }
 
@@ -128,9 +131,15 @@ Rendering render(const Scene& scene, int threads) {
   const int cores = tbb::info::default_concurrency();
   tbb::task_arena arena(threads > 0 ? std::min(threads, cores) : cores);
   arena.execute([&] {
-    apply_shading(scene.effects.shading, drawing.plane);
-    apply_blur(scene.effects.blur_sigma_px, drawing.plane);
-    rendering.image = add_noise_and_round(drawing.plane, scene.effects.noise_sigma, scene.seed);
+    const Effects& effects = scene.effects;
+    apply_shading(effects.shading, drawing.plane);
+    apply_shadows(effects.shadows, drawing.plane);
+    apply_glare(effects.glare, drawing.plane);
+    apply_vignetting(effects.vignetting, drawing.plane);
+    apply_motion_blur(effects.motion_blur, drawing.plane);
+    apply_blur(effects.blur_sigma_px, drawing.plane);
+    apply_gamma(effects.gamma, drawing.plane);
+    rendering.image = add_noise_and_round(drawing.plane, effects.noise_sigma, scene.seed);
   });
   return rendering;
 }

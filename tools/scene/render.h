@@ -16,7 +16,7 @@ struct TagTruth {
   std::optional<detect::Homography> homography;  ///< through the corners, h22 = 1; missing only
                                                  ///< when the scene's tag has none
   /// Share of the tag's own area (without the quiet zone) that is inside the image and not under
-  /// another tag's paper, 0..1.
+  /// another tag's paper, 0..1; marks and light are not counted.
   double visible = 0;
 };
 

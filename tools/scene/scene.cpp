@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <span>
 #include <stdexcept>
 
 #include "scene/projection.h"
@@ -24,6 +25,27 @@ void require_range(std::string_view name, double value, double low, double high)
           fmt::format("{} is {}; it must be from {} to {}", name, value, low, high));
 }
 
+/// Coordinates beyond this are no place in or near a picture, px.
+constexpr double kFarthest_px = 1e6;
+
+void require_finite(const std::string& name, std::span<const Point> points) {
+  for (const Point p : points) {
+    require(std::abs(p.x) <= kFarthest_px && std::abs(p.y) <= kFarthest_px,
+            fmt::format("{} holds ({}, {}); coordinates must be from {} to {}", name, p.x, p.y,
+                        -kFarthest_px, kFarthest_px));
+  }
+}
+
+void check_marks(std::span<const Mark> marks) {
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    const std::string name = fmt::format("marks[{}]", i);
+    require(!marks[i].path.empty(), name + ": its path has no point; give one or more");
+    require_finite(name + ".path", marks[i].path);
+    require_range(name + ".width_px", marks[i].width_px, 0.01, 1e4);
+    require_range(name + ".gray", marks[i].gray, 0, 255);
+  }
+}
+
 struct CheckBackground {
   void operator()(const PlainBackground& plain) const {
     require_range("background.gray", plain.gray, 0, 255);
@@ -37,6 +59,11 @@ struct CheckBackground {
     require_range("background.texture.gray", texture.gray, 0, 255);
     require_range("background.texture.amplitude", texture.amplitude, 0, 255);
     require_range("background.texture.scale_px", texture.scale_px, 1, 1e6);
+  }
+  void operator()(const ClutterBackground& clutter) const {
+    require_range("background.clutter.shapes", clutter.shapes, 0, kMaxShapes);
+    require_range("background.clutter.min_px", clutter.min_px, 0.1, 1e6);
+    require_range("background.clutter.max_px", clutter.max_px, clutter.min_px, 1e6);
   }
   void operator()(const PhotoBackground& photo) const {
     require(photo.image.width() > 0 && photo.image.height() > 0,
@@ -54,6 +81,23 @@ void check_effects(const Effects& effects) {
           fmt::format("shading.strength is {}; it must be 0 or more and below 1",
                       effects.shading.strength));
   require(std::isfinite(effects.shading.angle_deg), "shading.angle_deg must be finite");
+  for (std::size_t i = 0; i < effects.shadows.size(); ++i) {
+    const std::string name = fmt::format("shadows[{}]", i);
+    require(effects.shadows[i].polygon.size() >= 3,
+            name + ": its polygon has fewer than three corners; give three or more");
+    require_finite(name + ".polygon", effects.shadows[i].polygon);
+    require_range(name + ".light", effects.shadows[i].light, 0, 1);
+  }
+  for (std::size_t i = 0; i < effects.glare.size(); ++i) {
+    const std::string name = fmt::format("glare[{}]", i);
+    require_finite(name + ".center", {&effects.glare[i].centre, 1});
+    require_range(name + ".radius_px", effects.glare[i].radius_px, 0.1, 1e6);
+    require_range(name + ".strength", effects.glare[i].strength, 0, 1e6);
+  }
+  require_range("vignetting", effects.vignetting, 0, 0.99);
+  require_range("motion_blur.length_px", effects.motion_blur.length_px, 0, 1000);
+  require(std::isfinite(effects.motion_blur.angle_deg), "motion_blur.angle_deg must be finite");
+  require_range("gamma", effects.gamma, 0.1, 10);
   require_range("blur_px", effects.blur_sigma_px, 0, 1000);
   require_range("noise", effects.noise_sigma, 0, 255);
 }
@@ -136,6 +180,7 @@ void check_scene(const Scene& scene) {
   detect::check_camera(scene.camera);
   std::visit(CheckBackground{}, scene.background);
   check_effects(scene.effects);
+  check_marks(scene.marks);
   const double fold = fold_radius(scene.camera);
   for (std::size_t i = 0; i < scene.tags.size(); ++i) {
     const SceneTag& tag = scene.tags[i];

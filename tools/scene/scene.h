@@ -48,14 +48,23 @@ struct TextureBackground {
   double scale_px = 48;   ///< size of the coarsest blobs, >= 1
 };
 
+/// Convex shapes of three to six corners and any gray level over one another, sizes spread evenly
+/// over their logarithm: edges and corners everywhere, as on a full desk.
+struct ClutterBackground {
+  int shapes = 500;     ///< 0 .. kMaxShapes
+  double min_px = 6;    ///< smallest longest diameter, above 0
+  double max_px = 250;  ///< largest one, >= min_px
+};
+inline constexpr int kMaxShapes = 1'000'000;
+
 /// A photograph behind the tags, scaled to cover the scene and cut evenly.
 struct PhotoBackground {
   std::string path;     ///< as it is named in messages and scene files
   detect::Image image;  ///< not empty
 };
 
-using Background =
-    std::variant<PlainBackground, GradientBackground, TextureBackground, PhotoBackground>;
+using Background = std::variant<PlainBackground, GradientBackground, TextureBackground,
+                                ClutterBackground, PhotoBackground>;
 
 /// Light that falls off evenly: full at one end of the image, (1 - strength) of it at the other.
 struct Shading {
@@ -63,13 +72,45 @@ struct Shading {
   double angle_deg = 0;  ///< direction in which it gets darker; 0 = to the right, 90 = downwards
 };
 
-/// What the camera and the light do to the picture, in this order: shading, blur, noise, rounding.
+/// A hard-edged shadow: the light inside a polygon, any number of corners >= 3 in either direction.
+struct Shadow {
+  std::vector<detect::Point> polygon{};  ///< px, inside the image or not
+  double light = 0.5;                    ///< share of the light that is left, 0..1
+};
+
+/// A reflection of a lamp: light added in a round spot, falling off as a Gaussian.
+struct Glare {
+  detect::Point centre{};  ///< px
+  double radius_px = 40;   ///< where exp(-1/2) of it is left, above 0
+  double strength = 200;   ///< gray levels in the middle, >= 0; beyond white the picture is white
+};
+
+/// A camera that moves during the exposure, evenly along a line.
+struct MotionBlur {
+  double length_px = 0;  ///< 0 .. 1000
+  double angle_deg = 0;  ///< 0 = along rows, 90 = along columns
+};
+
+/// What the light and the camera do to the picture, in this order: shading, shadows, glare,
+/// vignetting, motion blur, blur, gamma, noise, rounding.
 struct Effects {
   double black = 30;   ///< gray level of black cells in full light, 0..255
   double white = 220;  ///< of white cells, above `black`
   Shading shading;
+  std::vector<Shadow> shadows{};
+  std::vector<Glare> glare{};
+  double vignetting = 0;  ///< share of the light that is lost in the corners, below 1
+  MotionBlur motion_blur{};
   double blur_sigma_px = 0;  ///< Gaussian blur, >= 0
-  double noise_sigma = 0;    ///< Gaussian noise, gray levels, >= 0
+  double gamma = 1;  ///< of the camera, 0.1 .. 10; levels up to here are in light, 1 = the same
+  double noise_sigma = 0;  ///< Gaussian noise, gray levels, >= 0
+};
+
+/// A pen's stroke along a path, or a speck of dirt: a path of one point. Lies over all tags.
+struct Mark {
+  std::vector<detect::Point> path{};  ///< px, at least one point
+  double width_px = 2;                ///< above 0
+  double gray = 20;                   ///< in full light, 0..255
 };
 
 inline constexpr int kMaxSide_px = 1 << 14;  ///< of a scene; 2^28 pixels in all
@@ -84,6 +125,7 @@ struct Scene {
   int quiet_zone_cells = 1;    ///< width of the white paper around each tag, in cells,
                                ///< 0 .. kMaxQuietZone_cells
   std::vector<SceneTag> tags;  ///< later ones lie on top of earlier ones
+  std::vector<Mark> marks{};   ///< on top of all tags
   Effects effects;
   std::uint64_t seed = 1;  ///< of the noise and the background texture
 };

@@ -7,8 +7,8 @@
 #include <map>
 #include <stdexcept>
 
-#include "io/images.h"
 #include "scene/json_reader.h"
+#include "scene/picture_reader.h"
 #include "scene/rotation.h"
 #include "tagmint/codec/builtin_families.h"
 #include "tagmint/codec/family_file.h"
@@ -64,31 +64,6 @@ detect::Camera read_camera(const JsonValue& value, int width, int height) {
   return camera;
 }
 
-Background read_background(const JsonValue& value, const fs::path& folder) {
-  value.require_keys({"gray", "gradient", "texture", "image"});
-  const std::string kind = value.only_key();
-  const JsonValue details = value.at(kind);
-  if (kind == "gray") return PlainBackground{details.number(0, 255)};
-  if (kind == "gradient") {
-    details.require_keys({"from", "to", "angle_deg"});
-    GradientBackground gradient;
-    if (details.has("from")) gradient.from = details.at("from").number(0, 255);
-    if (details.has("to")) gradient.to = details.at("to").number(0, 255);
-    if (details.has("angle_deg")) gradient.angle_deg = details.at("angle_deg").number();
-    return gradient;
-  }
-  if (kind == "texture") {
-    details.require_keys({"gray", "amplitude", "scale_px"});
-    TextureBackground texture;
-    if (details.has("gray")) texture.gray = details.at("gray").number(0, 255);
-    if (details.has("amplitude")) texture.amplitude = details.at("amplitude").number(0, 255);
-    if (details.has("scale_px")) texture.scale_px = details.at("scale_px").number(1, 1e6);
-    return texture;
-  }
-  const std::string path = details.text();
-  return PhotoBackground{path, io::read_gray_image((folder / path).string())};
-}
-
 detect::Pose read_pose(const JsonValue& value) {
   detect::Pose pose;
   if (value.has("pose")) {
@@ -135,24 +110,10 @@ SceneTag read_tag(const JsonValue& value, Families& families) {
   return tag;
 }
 
-Effects read_effects(const JsonValue& root) {
-  Effects effects;
-  if (root.has("black")) effects.black = root.at("black").number(0, 255);
-  if (root.has("white")) effects.white = root.at("white").number(0, 255);
-  if (root.has("blur_px")) effects.blur_sigma_px = root.at("blur_px").number(0, 1000);
-  if (root.has("noise")) effects.noise_sigma = root.at("noise").number(0, 255);
-  if (root.has("shading")) {
-    const JsonValue shading = root.at("shading");
-    shading.require_keys({"strength", "angle_deg"});
-    effects.shading.strength = shading.at("strength").number(0, 1);
-    if (shading.has("angle_deg")) effects.shading.angle_deg = shading.at("angle_deg").number();
-  }
-  return effects;
-}
-
 Scene read_root(const JsonValue& root, const fs::path& folder) {
-  root.require_keys({"width", "height", "camera", "background", "quiet_zone_cells", "tags", "black",
-                     "white", "shading", "blur_px", "noise", "seed"});
+  root.require_keys({"width", "height", "camera", "background", "quiet_zone_cells", "tags", "marks",
+                     "black", "white", "shading", "shadows", "glare", "vignetting", "motion_blur",
+                     "blur_px", "gamma", "noise", "seed"});
   Scene scene;
   scene.width = static_cast<int>(root.at("width").whole(1, kMaxSide_px));
   scene.height = static_cast<int>(root.at("height").whole(1, kMaxSide_px));
@@ -167,6 +128,7 @@ Scene read_root(const JsonValue& root, const fs::path& folder) {
   for (const JsonValue& tag : root.at("tags").elements()) {
     scene.tags.push_back(read_tag(tag, families));
   }
+  if (root.has("marks")) scene.marks = read_marks(root.at("marks"));
   scene.effects = read_effects(root);
   if (root.has("seed")) {
     scene.seed = root.at("seed").whole(0, std::numeric_limits<std::uint64_t>::max());
