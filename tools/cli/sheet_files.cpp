@@ -15,20 +15,20 @@ namespace {
 
 constexpr std::array<std::string_view, 5> kNameFields = {"family", "id", "edge", "outer", "page"};
 
-draw::SheetFormat format_of(const std::string& option, const std::string& pattern) {
+draw::FileKind format_of(const std::string& option, const std::string& pattern) {
   const std::vector<std::string> words = {"pdf", "svg", "png"};
   const std::string word = choose_format(option, pattern, words, "");
   if (word.empty()) {
     throw UsageError("the name of the output has no extension that tells its format", pattern,
                      "name it .pdf, .svg or .png, or give --format");
   }
-  if (word == "pdf") return draw::SheetFormat::Pdf;
-  return word == "svg" ? draw::SheetFormat::Svg : draw::SheetFormat::Png;
+  if (word == "pdf") return draw::FileKind::Pdf;
+  return word == "svg" ? draw::FileKind::Svg : draw::FileKind::Png;
 }
 
-std::string render_page(draw::SheetFormat format, const draw::SheetPlan& plan, std::size_t page,
+std::string render_page(draw::FileKind format, const draw::SheetPlan& plan, std::size_t page,
                         const draw::SheetDecor& decor, double dpi) {
-  return format == draw::SheetFormat::Svg ? draw::sheet_svg(plan, page, decor)
+  return format == draw::FileKind::Svg ? draw::sheet_svg(plan, page, decor)
                                           : draw::sheet_png(plan, page, decor, dpi);
 }
 
@@ -54,7 +54,7 @@ SheetTarget::SheetTarget(const std::string& pattern, const std::string& format)
     throw UsageError("a name with {page} is one file a page, with other fields one file a tag",
                      pattern, "use one or the other");
   }
-  if (name_.uses("page") && format_ == draw::SheetFormat::Pdf) {
+  if (name_.uses("page") && format_ == draw::FileKind::Pdf) {
     throw UsageError("a PDF holds all pages", pattern, "leave {page} out of its name");
   }
 }
@@ -72,7 +72,7 @@ void SheetTarget::write_pages(const draw::SheetPlan& plan, const draw::SheetDeco
     return name_.expand(values);
   };
   require_writable(file(0));
-  if (format_ == draw::SheetFormat::Pdf) {
+  if (format_ == draw::FileKind::Pdf) {
     write_output(file(0), draw::sheet_pdf(plan, decor, pdf_title(plan, decor)));
     return;
   }
@@ -113,7 +113,7 @@ std::size_t SheetTarget::write_tags(const std::vector<draw::TagGroup>& groups,
       const draw::SheetPlan plan = draw::plan_single(group.family, group.edge_mm, id, options);
       write_output(
           tag_file(group, id),
-          format_ == draw::SheetFormat::Pdf
+          format_ == draw::FileKind::Pdf
               ? draw::sheet_pdf(plan, decor, fmt::format("{} {}", group.family->name(), id))
               : render_page(format_, plan, 0, decor, dpi));
       progress.update(static_cast<double>(++done), static_cast<double>(names.size()));

@@ -40,7 +40,7 @@ class SheetTarget {
 
   std::string pattern_;
   draw::TextFormat name_;
-  draw::SheetFormat format_;
+  draw::FileKind format_;
 };
 
 }  // namespace tagmint::cli

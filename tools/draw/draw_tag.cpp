@@ -2,26 +2,28 @@
 
 namespace tagmint::draw {
 
-void add_outlines(cairo_t* context, const std::vector<Outline>& outlines, int width_cells,
-                  const Box& outer) {
-  const auto x = [&](const codec::CellPosition& corner) {
-    return outer.x_mm + outer.width_mm * corner.x / width_cells;
-  };
-  const auto y = [&](const codec::CellPosition& corner) {
-    return outer.y_mm + outer.height_mm * corner.y / width_cells;
-  };
+Path path_of(const std::vector<Outline>& outlines) {
+  Path path;
   for (const Outline& outline : outlines) {
-    cairo_new_sub_path(context);
-    for (const codec::CellPosition& corner : outline) cairo_line_to(context, x(corner), y(corner));
-    cairo_close_path(context);
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      if (i == 0) {
+        path.move_to(outline[i].x, outline[i].y);
+      } else {
+        path.line_to(outline[i].x, outline[i].y);
+      }
+    }
+    path.close();
   }
+  return path;
 }
 
-void draw_tag(cairo_t* context, const codec::TagCells& cells, const Box& outer) {
-  cairo_set_source_rgb(context, 0, 0, 0);
-  cairo_new_path(context);
-  add_outlines(context, black_outlines(cells), cells.width(), outer);
-  cairo_fill(context);
+Placement grid_placement(const Box& outer, int width_cells) {
+  return {outer.x_mm, outer.y_mm, outer.width_mm / width_cells};
+}
+
+void draw_tag(Canvas& canvas, const codec::TagCells& cells, const Box& outer) {
+  canvas.fill(path_of(black_outlines(cells)), grid_placement(outer, cells.width()),
+              {.gray = 0.0, .role = Role::Tag});
 }
 
 }  // namespace tagmint::draw

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cairo.h>
+#include "draw/canvas.h"
 
 namespace tagmint::draw {
 
@@ -8,6 +8,6 @@ namespace tagmint::draw {
 /// takes kRulerHeightMm (sheet_decor.h).
 ///   x_mm, y_mm   its left end and upper side
 ///   room_mm      width that it may take; nothing is drawn where a centimetre does not fit
-void draw_ruler(cairo_t* context, double x_mm, double y_mm, double room_mm, double gray);
+void draw_ruler(Canvas& canvas, double x_mm, double y_mm, double room_mm, double gray);
 
 }  // namespace tagmint::draw

@@ -1,49 +1,55 @@
 #include "draw/sheet_writer.h"
 
-#include <string_view>
-
-#include "draw/cairo_surface.h"
 #include "draw/sheet_page.h"
 
 namespace tagmint::draw {
 namespace {
 
-/// Cairo numbers all surfaces of a process and writes the number as the id of the outermost group,
-/// which nothing refers to; without it, the same page is the same file.
-std::string without_surface_number(std::string svg) {
-  const std::string_view start = "<g id=\"surface";
-  const std::size_t at = svg.find(start);
-  const std::size_t end = at == std::string::npos ? at : svg.find('"', at + start.size());
-  if (end != std::string::npos) svg.replace(at, end + 1 - at, "<g id=\"page\"");
-  return svg;
+std::string sheet_text(const SheetPlan& plan, const SheetDecor& decor, std::size_t first,
+                       std::size_t last, FileKind kind, const FileOptions& options) {
+  std::string content;
+  write_sheet(plan, decor, first, last, kind, options,
+              [&](std::string_view bytes) { content += bytes; });
+  return content;
 }
 
 }  // namespace
 
+void write_sheet(const SheetPlan& plan, const SheetDecor& decor, std::size_t first,
+                 std::size_t last, FileKind kind, const FileOptions& options, ByteSink sink,
+                 const std::function<void(std::size_t page)>& on_page) {
+  const std::unique_ptr<Canvas> canvas = make_canvas(kind, options, std::move(sink));
+  for (std::size_t page = first; page < last; ++page) {
+    canvas->begin_page({.width_mm = plan.options.page_width_mm,
+                        .height_mm = plan.options.page_height_mm,
+                        .label = "",
+                        .bookmarks = {}});
+    if (kind == FileKind::Svg) canvas->paint_ground(paper_of(plan, page));
+    draw_page(*canvas, plan, page, decor);
+    canvas->end_page();
+    if (on_page) on_page(page);
+  }
+  canvas->finish();
+}
+
 std::string sheet_pdf(const SheetPlan& plan, const SheetDecor& decor,
                       const std::string& metadata_title) {
-  CairoCanvas canvas =
-      CairoCanvas::pdf(plan.options.page_width_mm, plan.options.page_height_mm, metadata_title);
-  for (std::size_t page = 0; page < plan.pages.size(); ++page) {
-    draw_page(canvas.context(), plan, page, decor);
-    canvas.finish_page();
-  }
-  return canvas.finish();
+  FileOptions options;
+  options.title = metadata_title;
+  return sheet_text(plan, decor, 0, plan.pages.size(), FileKind::Pdf, options);
 }
 
 std::string sheet_svg(const SheetPlan& plan, std::size_t page, const SheetDecor& decor) {
-  CairoCanvas canvas = CairoCanvas::svg(plan.options.page_width_mm, plan.options.page_height_mm);
-  draw_paper(canvas.context(), plan, page);
-  draw_page(canvas.context(), plan, page, decor);
-  return without_surface_number(canvas.finish());
+  FileOptions options;
+  options.title = decor.title;
+  return sheet_text(plan, decor, page, page + 1, FileKind::Svg, options);
 }
 
 std::string sheet_png(const SheetPlan& plan, std::size_t page, const SheetDecor& decor,
                       double dpi) {
-  CairoCanvas canvas =
-      CairoCanvas::png(plan.options.page_width_mm, plan.options.page_height_mm, dpi);
-  draw_page(canvas.context(), plan, page, decor);
-  return canvas.finish();
+  FileOptions options;
+  options.dpi = dpi;
+  return sheet_text(plan, decor, page, page + 1, FileKind::Png, options);
 }
 
 }  // namespace tagmint::draw

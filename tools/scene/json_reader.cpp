@@ -15,7 +15,7 @@ using codec::InputError;
 using nlohmann::json;
 
 void JsonValue::fail(const std::string& what, const std::string& mend) const {
-  throw InputError((path_.empty() ? "the scene" : path_) + " " + what, source_, mend);
+  throw InputError(fmt::format("{} {}", path_.empty() ? whole_ : path_, what), source_, mend);
 }
 
 void JsonValue::require_keys(std::initializer_list<std::string_view> keys) const {
@@ -36,7 +36,7 @@ bool JsonValue::has(std::string_view key) const { return json_->contains(key); }
 JsonValue JsonValue::at(std::string_view key) const {
   if (!has(key)) fail(fmt::format("lacks '{}'", key), "add it");
   return {(*json_)[std::string(key)], source_,
-          path_.empty() ? std::string(key) : fmt::format("{}.{}", path_, key)};
+          path_.empty() ? std::string(key) : fmt::format("{}.{}", path_, key), whole_};
 }
 
 std::string JsonValue::only_key() const {
@@ -50,7 +50,7 @@ std::vector<JsonValue> JsonValue::elements() const {
   if (!json_->is_array()) fail("is not a list", "write [...]");
   std::vector<JsonValue> values;
   for (std::size_t i = 0; i < json_->size(); ++i) {
-    values.emplace_back((*json_)[i], source_, fmt::format("{}[{}]", path_, i));
+    values.emplace_back((*json_)[i], source_, fmt::format("{}[{}]", path_, i), whole_);
   }
   return values;
 }

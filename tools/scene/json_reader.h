@@ -16,8 +16,10 @@ namespace tagmint::scene {
 /// place, like "scene.json: tags[2].edge_m". Refers to `json`, which must outlive it.
 class JsonValue {
  public:
-  JsonValue(const nlohmann::json& json, std::string source, std::string path = "")
-      : json_(&json), source_(std::move(source)), path_(std::move(path)) {}
+  ///   whole   how messages call the value of the whole file
+  JsonValue(const nlohmann::json& json, std::string source, std::string path = "",
+            std::string_view whole = "the scene")
+      : json_(&json), source_(std::move(source)), path_(std::move(path)), whole_(whole) {}
 
   /// Throws InputError unless this is an object all of whose keys are among `keys`; names the
   /// nearest one for a misspelt key.
@@ -57,6 +59,7 @@ class JsonValue {
   const nlohmann::json* json_;
   std::string source_;
   std::string path_;
+  std::string_view whole_;  // of static storage
 };
 
 /// Parses JSON text; throws InputError with the line of the fault. A key given twice is a fault.
