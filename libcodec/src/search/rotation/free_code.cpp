@@ -1,150 +1,237 @@
+// Written over the ring GF(2)[R] with R^4 = 1, R a quarter turn, and S = R + 1, so that S^4 = 0 and
+// S^2 w = w ^ half turn(w). A free code with generators w_1 .. w_g has the words
+//
+//     s_1 w_1 + ... + s_g w_g + k     s_i in {0, 1, R, S}, k in the kernel S^2 C
+//
+// since every element of the ring is one of these four and a multiple of S^2. To flip two cells
+// that a half turn exchanges is to add a multiple of S^2 to an entry of a generator, which changes
+// neither the kernel nor a word without a share s_i of that generator. So the words without a share
+// of w_i, w_(i+1), .. can be proven far before these are chosen, and of those with a share of w_i
+// and none of the later ones, the ones with s_i = 1 and s_i = S are enough: R turns 1 into R.
+
 #include "search/rotation/free_code.h"
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cassert>
 #include <cmath>
+#include <span>
+#include <utility>
+#include <vector>
 
-#include "kernels/count_within.h"
+#include "kernels/hamming_kernels.h"
 #include "search/rotation/least_weight.h"
 
 namespace tagmint::codec {
 namespace {
 
-/// The code that some generators and their turns span.
-class FreeCode {
- public:
-  FreeCode(int bits, int generators, int distance)
-      : bits_(bits), places_(bits / 4), distance_(distance), words_(generators) {}
+/// Most flips of a generator that are searched.
+constexpr std::size_t kMostFlips = std::size_t{1} << 12;
 
-  /// Draws generators until the words that a half turn keeps are heavy enough; false where the
-  /// budget ends first.
-  bool draw(RandomChoice& random, WorkBudget& budget) {
-    while (!budget.is_spent()) {
-      for (std::size_t own = 0; own < words_.size(); ++own) words_[own] = random_word(own, random);
-      std::vector<Codeword> kept;
-      for (const Codeword word : words_) {
-        const Codeword sum = word ^ rotate(word, bits_, 2);
-        kept.push_back(sum);
-        kept.push_back(rotate_quarter(sum, bits_));
-      }
-      budget.spend(std::ldexp(1.0, static_cast<int>(kept.size())));
-      if (least_weight(kept) >= distance_) return true;
+/// All sums of `words` and of those of `sums`.
+void add_sums(std::vector<Codeword>& sums, std::span<const Codeword> words) {
+  for (const Codeword word : words) {
+    const std::size_t half = sums.size();
+    for (std::size_t i = 0; i < half; ++i) sums.push_back(sums[i] ^ word);
+  }
+}
+
+/// The shape of the generators: the first is 1 in the first block at the first place, 0 in the
+/// other blocks there and at the first places of the other generators; the second likewise.
+class GeneratorShape {
+ public:
+  GeneratorShape(int bits, int generators) : bits_(bits), generators_(generators) {}
+
+  int bits() const { return bits_; }
+  int generators() const { return generators_; }
+
+  /// Places where all generators are arbitrary.
+  int free_places() const { return bits_ / 4 - generators_; }
+
+  Codeword own_cell(int generator) const { return cell(0, generator); }
+
+  /// The four cells of a free place, by block.
+  std::array<Codeword, 4> free_cells(int place) const {
+    std::array<Codeword, 4> cells{};
+    for (int block = 0; block < 4; ++block) {
+      cells[static_cast<std::size_t>(block)] = cell(block, generators_ + place);
+    }
+    return cells;
+  }
+
+ private:
+  Codeword cell(int block, int place) const {
+    return Codeword{1} << (bits_ - 1 - block * (bits_ / 4) - place);
+  }
+
+  int bits_;
+  int generators_;
+};
+
+/// Random generators, of even weight where the distance is even.
+std::vector<Codeword> random_generators(const GeneratorShape& shape, int distance,
+                                        RandomChoice& random) {
+  std::vector<Codeword> words;
+  for (int generator = 0; generator < shape.generators(); ++generator) {
+    Codeword word = shape.own_cell(generator);
+    for (int place = 0; place < shape.free_places(); ++place) {
+      for (const Codeword cell : shape.free_cells(place)) word ^= random.below(2) == 1 ? cell : 0;
+    }
+    const bool wrong_parity = distance % 2 == 0 && std::popcount(word) % 2 == 1;
+    words.push_back(wrong_parity ? word ^ shape.free_cells(0).front() : word);
+  }
+  return words;
+}
+
+/// A basis of the kernel.
+std::vector<Codeword> kernel_basis(std::span<const Codeword> generators, int bits) {
+  std::vector<Codeword> basis;
+  for (const Codeword word : generators) {
+    const Codeword sum = word ^ rotate(word, bits, 2);
+    basis.push_back(sum);
+    basis.push_back(rotate_quarter(sum, bits));
+  }
+  return basis;
+}
+
+/// What a half turn of one place makes of a word.
+Codeword half_turned(Codeword word, const std::array<Codeword, 4>& cells) {
+  Codeword all = 0;
+  Codeword turned = 0;
+  for (std::size_t block = 0; block < 4; ++block) {
+    all |= cells[block];
+    if ((word & cells[block]) != 0) turned |= cells[(block + 2) % 4];
+  }
+  return (word & ~all) | turned;
+}
+
+/// Whether a flipped generator stands for those that give the same codes up to half turns of
+/// places: of the first generator each place may be turned by itself. A half turn of all free
+/// places is one of the generator and of its own place, and may be made of each of them.
+bool stands_for_its_turns(Codeword word, int generator, const GeneratorShape& shape) {
+  Codeword all = word;
+  for (int place = 0; place < shape.free_places(); ++place) {
+    const auto cells = shape.free_cells(place);
+    all = half_turned(all, cells);
+    if (generator == 0 && half_turned(word, cells) < word) return false;
+  }
+  return word <= all;
+}
+
+/// The generator with its flips: all that matter, or kMostFlips at random.
+std::vector<Codeword> flipped(Codeword word, int generator, const GeneratorShape& shape,
+                              RandomChoice& random) {
+  std::vector<Codeword> flips;
+  for (int place = 0; place < shape.free_places(); ++place) {
+    const auto cells = shape.free_cells(place);
+    flips.push_back(cells[0] | cells[2]);
+    flips.push_back(cells[1] | cells[3]);
+  }
+  std::vector<Codeword> words = {word};
+  if (std::size_t{1} << flips.size() <= kMostFlips) {
+    add_sums(words, flips);
+    std::erase_if(words,
+                  [&](Codeword one) { return !stands_for_its_turns(one, generator, shape); });
+    return words;
+  }
+  while (words.size() < kMostFlips) {
+    for (const Codeword flip : flips) word ^= random.below(2) == 1 ? flip : 0;
+    words.push_back(word);
+  }
+  return words;
+}
+
+/// The search through all flips of some generators.
+class LiftSearch {
+ public:
+  /// `kernel` has all its words, and they are heavy enough.
+  LiftSearch(int bits, int distance, std::vector<Codeword> kernel, WorkBudget& budget)
+      : bits_(bits), distance_(distance), kernel_(std::move(kernel)), budget_(budget) {}
+
+  /// One choice of each generator that keeps the distance; nothing where there is none or the
+  /// budget ends.
+  std::optional<std::vector<Codeword>> run(std::vector<std::vector<Codeword>> choices) {
+    for (std::vector<Codeword>& words : choices) keep_far(words, kernel_);
+    chosen_.clear();
+    if (!choose(kernel_, choices)) return std::nullopt;
+    return chosen_;
+  }
+
+ private:
+  /// Chooses among the first of `choices`, which are far from `sums`, the sums of the kernel and
+  /// the generators chosen before; then among the rest.
+  bool choose(const std::vector<Codeword>& sums, std::span<const std::vector<Codeword>> choices) {
+    if (choices.empty()) return true;
+    for (const Codeword word : choices.front()) {
+      if (budget_.is_spent()) return false;
+      chosen_.push_back(word);
+      if (choose_after(word, sums, choices.subspan(1))) return true;
+      chosen_.pop_back();
     }
     return false;
   }
 
-  /// A flip that keeps these words: of which generator, and which bits.
-  struct Flip {
-    std::size_t generator = 0;
-    Codeword bits = 0;
-  };
-  Flip random_flip(RandomChoice& random) const {
-    const std::size_t generators = words_.size();
-    const std::size_t generator = random.below(generators);
-    const std::size_t place =
-        generators + random.below(static_cast<std::size_t>(places_) - generators);
-    const Codeword one = bit(random.below(2), place);
-    return {generator, one | rotate(one, bits_, 2)};
-  }
-  void flip(const Flip& flip) { words_[flip.generator] ^= flip.bits; }
-
-  /// How many words are lighter than the distance; some number above `enough` where they are more
-  /// than that. Words of one orbit are counted once where that is easy, and then as four.
-  double light_words(double enough, WorkBudget& budget) {
-    sum_up_others();
-    // One of the turns of a word with a share of the first generator has one of these shares.
-    constexpr std::array<int, 5> kShares = {0b0001, 0b0011, 0b0101, 0b0111, 0b1111};
-    double light = 0;
-    for (const int share : kShares) {
-      Codeword sum = 0;
-      for (int turn = 0; turn < 4; ++turn) {
-        if (share >> turn & 1) sum ^= rotate(words_.front(), bits_, turn);
-      }
-      budget.spend(static_cast<double>(others_.size()));
-      light += 4.0 * static_cast<double>(count_within(others_, sum, distance_ - 1));
-      if (light > enough) return light;
+  bool choose_after(Codeword word, const std::vector<Codeword>& sums,
+                    std::span<const std::vector<Codeword>> choices) {
+    if (choices.empty()) return true;
+    std::vector<Codeword> grown = sums;
+    add_sums(grown, std::array{word, rotate_quarter(word, bits_)});
+    const auto added = std::span<const Codeword>(grown).subspan(sums.size());
+    std::vector<std::vector<Codeword>> left;
+    for (const std::vector<Codeword>& words : choices) {
+      left.push_back(words);
+      keep_far(left.back(), added);
+      if (left.back().empty()) return false;
     }
-    // The word 0 is light and does not count.
-    return light + static_cast<double>(count_within(others_, 0, distance_ - 1)) - 1;
+    return choose(grown, left);
   }
 
-  TurnCode code() const {
-    TurnCode code(bits_);
-    code.adjoin(words_);
-    return code;
+  /// Leaves those that keep the distance in sums with `others`, alone and with their turn.
+  void keep_far(std::vector<Codeword>& words, std::span<const Codeword> others) {
+    std::erase_if(words, [&](Codeword word) {
+      return !is_far(word, others) || !is_far(turn_difference(word, bits_), others);
+    });
   }
 
- private:
-  Codeword bit(std::size_t block, std::size_t place) const {
-    return Codeword{1} << (bits_ - 1 - static_cast<int>(block) * places_ - static_cast<int>(place));
-  }
-
-  /// 1 in the first block at the place of its own, 0 at the other generators' places, and of even
-  /// weight where the distance is even.
-  Codeword random_word(std::size_t own, RandomChoice& random) const {
-    Codeword word = bit(0, own);
-    for (std::size_t place = words_.size(); place < static_cast<std::size_t>(places_); ++place) {
-      for (std::size_t block = 0; block < 4; ++block) {
-        if (random.below(2) == 1) word ^= bit(block, place);
-      }
-    }
-    const bool wrong_parity = distance_ % 2 == 0 && std::popcount(word) % 2 == 1;
-    return wrong_parity ? word ^ bit(0, static_cast<std::size_t>(places_) - 1) : word;
-  }
-
-  /// All sums of the turns of all generators but the first.
-  void sum_up_others() {
-    others_.assign(1, 0);
-    for (std::size_t i = 1; i < words_.size(); ++i) {
-      for (int turn = 0; turn < 4; ++turn) {
-        const Codeword word = rotate(words_[i], bits_, turn);
-        const std::size_t half = others_.size();
-        for (std::size_t j = 0; j < half; ++j) others_.push_back(others_[j] ^ word);
-      }
-    }
+  bool is_far(Codeword word, std::span<const Codeword> others) {
+    const std::size_t first = first_within(others, word, distance_ - 1);
+    budget_.spend(static_cast<double>(first + 1));
+    return first == others.size();
   }
 
   int bits_;
-  int places_;
   int distance_;
-  std::vector<Codeword> words_;
-  std::vector<Codeword> others_;
+  std::vector<Codeword> kernel_;
+  WorkBudget& budget_;
+  std::vector<Codeword> chosen_;
 };
-
-/// By how much more light words a step may leave, at random: exponential with the mean
-/// `temperature`.
-double random_rise(double temperature, RandomChoice& random) {
-  constexpr std::size_t kSteps = std::size_t{1} << 52;
-  const double share =
-      (static_cast<double>(random.below(kSteps)) + 1.0) / static_cast<double>(kSteps);
-  return -temperature * std::log(share);
-}
 
 }  // namespace
 
-std::optional<TurnCode> anneal_free_code(int bits, int generators, int distance,
-                                         RandomChoice& random, WorkBudget& budget) {
+std::optional<TurnCode> find_free_code(int bits, int generators, int distance, RandomChoice& random,
+                                       WorkBudget& budget) {
   assert(bits % 4 == 0 && bits / 4 > generators);
   assert(generators >= 2 && generators <= kMostFreeGenerators);
-  // Measured on 36 bits at distance 10: many short searches find more than few long ones, and
-  // temperatures of half an orbit of four words serve best.
-  constexpr int kSteps = 10000;
-  constexpr double kTemperature = 2.0;
-  FreeCode code(bits, generators, distance);
-  while (code.draw(random, budget)) {
-    double light = code.light_words(INFINITY, budget);
-    for (int step = 0; step < kSteps && light > 0 && !budget.is_spent(); ++step) {
-      const FreeCode::Flip flip = code.random_flip(random);
-      const double most = light + random_rise(kTemperature, random);
-      code.flip(flip);
-      const double after = code.light_words(most, budget);
-      if (after <= most) {
-        light = after;
-      } else {
-        code.flip(flip);
-      }
+  const GeneratorShape shape(bits, generators);
+  while (!budget.is_spent()) {
+    const std::vector<Codeword> words = random_generators(shape, distance, random);
+    const std::vector<Codeword> basis = kernel_basis(words, bits);
+    budget.spend(std::ldexp(1.0, static_cast<int>(basis.size())));
+    if (least_weight(basis) < distance) continue;
+    std::vector<std::vector<Codeword>> choices;
+    for (int generator = 0; generator < generators; ++generator) {
+      const Codeword word = words[static_cast<std::size_t>(generator)];
+      choices.push_back(flipped(word, generator, shape, random));
     }
-    if (light == 0) return code.code();
+    std::vector<Codeword> kernel = {0};
+    add_sums(kernel, basis);
+    LiftSearch search(bits, distance, std::move(kernel), budget);
+    if (const auto found = search.run(std::move(choices))) {
+      TurnCode code(bits);
+      code.adjoin(*found);
+      return code;
+    }
   }
   return std::nullopt;
 }

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
@@ -24,20 +23,13 @@ namespace {
 /// Words that a try compares for each level of a chain: half a second to two.
 constexpr double kWordsPerLevel = 4e9;
 
-/// Tries of annealing for each attempt, and words that each compares: about four seconds.
+/// Searches for a free code in each attempt, and words that each compares: about four seconds.
 constexpr std::size_t kFreeTries = 4;
 constexpr double kFreeWords = 2e10;
 
 /// Largest layouts for unions of cosets, and for filling up.
 constexpr int kMostUnionBits = 25;
 constexpr int kMostFilledBits = 41;
-
-/// Lowers an atomic number to `value` if it is larger.
-void lower_to(std::atomic<std::size_t>& number, std::size_t value) {
-  std::size_t old = number;
-  while (value < old && !number.compare_exchange_weak(old, value)) {
-  }
-}
 
 RandomChoice random_for(const RotationCodeOptions& options, std::size_t step, std::size_t number) {
   constexpr std::uint64_t kOdd = 0x9e3779b97f4a7c15u;  // 2^64 / golden ratio
@@ -183,8 +175,8 @@ class CodeSearch {
     return best;
   }
 
-  /// The code that annealing finds with four or less dimensions more than `chain`'s last, and
-  /// levels inside it, where that is the better chain; else `chain`.
+  /// A free code with four or less dimensions more than `chain`'s last, and levels inside it, where
+  /// one is found and that is the better chain; else `chain`.
   std::optional<CodeChain> with_free_code(CodeChain chain) {
     const int bits = options_.layout.bits();
     const int generators = chain.levels.back().code.dimension() / 4 + 1;
@@ -193,35 +185,30 @@ class CodeSearch {
         tags > upper_bound_of_tags(bits, options_.min_hamming).tags) {
       return chain;
     }
-    const std::size_t tries = kFreeTries * static_cast<std::size_t>(options_.attempts);
-    std::atomic<std::size_t> first_found{tries};  // later tries need not be made
-    const auto make = [&](std::size_t number) -> std::optional<TurnCode> {
-      if (number > first_found) return std::nullopt;
+    const auto make = [&](std::size_t number) {
       RandomChoice random = random_for(options_, 4, number);
       WorkBudget budget(effort(kFreeWords));
-      auto found =
-          anneal_free_code(bits - bits % 4, generators, options_.min_hamming, random, budget);
-      if (found) lower_to(first_found, number);
-      return found;
+      const auto found =
+          find_free_code(bits - bits % 4, generators, options_.min_hamming, random, budget);
+      return found ? chain_in_free_code(*found, random) : chain;
     };
-    auto codes = make_tries<std::optional<TurnCode>>(
-        tries, options_.threads, options_.stop, make,
-        [&](std::size_t done) { tell("free codes", done, tries); });
-    if (!codes) return std::nullopt;
-    const auto found = std::find_if(codes->begin(), codes->end(),
-                                    [](const auto& code) { return code.has_value(); });
-    if (found == codes->end()) return chain;
-    TurnCode code(bits);
+    auto best = best_try<CodeChain>(
+        "free codes", kFreeTries * static_cast<std::size_t>(options_.attempts), make, value_of);
+    if (!best || value_of(*best) <= value_of(chain)) return best ? chain : best;
+    tags_ = tags_of(best->levels.back().code);
+    return best;
+  }
+
+  /// The levels that are found inside a free code, whose centre bit is 0.
+  CodeChain chain_in_free_code(const TurnCode& free_code, RandomChoice& random) const {
+    const int bits = options_.layout.bits();
     std::vector<Codeword> words;
-    for (const Codeword word : (*found)->basis()) words.push_back(word << (bits % 4));
+    for (const Codeword word : free_code.basis()) words.push_back(word << (bits % 4));
+    TurnCode code(bits);
     code.adjoin(words);
-    const KnownChain known{"annealed quasi-cyclic code", bits, {{code, options_.min_hamming}}};
-    RandomChoice random = random_for(options_, 5, 0);
-    CodeChain better = search_chain(bits, falling_distances(options_), &known, false,
-                                    effort(kWordsPerLevel), random);
-    if (value_of(better) <= value_of(chain)) return chain;
-    tags_ = tags_of(better.levels.back().code);
-    return better;
+    const KnownChain known{"lifted quasi-cyclic code", bits, {{code, options_.min_hamming}}};
+    return search_chain(bits, falling_distances(options_), &known, false, effort(kWordsPerLevel),
+                        random);
   }
 
   std::optional<CodeChain> with_inner_levels(const CodeChain& whole) {

@@ -17,7 +17,7 @@ namespace tagmint::codec {
 struct RotationCodeProgress {
   std::size_t tries_done = 0;  ///< of the present step: constructions times attempts
   std::size_t tries = 0;
-  std::string step;  ///< "codes", "inner levels", "unions of cosets"
+  std::string step;  ///< "codes", "free codes", "inner levels", "unions of cosets"
   double tags = 0;   ///< of the largest code so far
 };
 
@@ -59,7 +59,7 @@ inline constexpr std::size_t kMostListedTags = 1024;
 ///   - climbing through closed linear codes, one dimension at a time, from nothing (quasi-cyclic
 ///     search) and from shortened codes of the literature, with one code inside the other for the
 ///     levels;
-///   - annealing quasi-cyclic codes of up to 16 dimensions;
+///   - free quasi-cyclic codes of up to 20 dimensions, lifted from codes of half as many;
 ///   - unions of cosets of a small code, where the layout has at most 25 bits and no levels are
 ///     asked for;
 ///   - for small families and at most 41 bits, further words by the lexicode search.
