@@ -75,6 +75,24 @@ TEST_F(AtomicFile, KeepsASymbolicLinkAndReplacesWhatItLeadsTo) {
   EXPECT_EQ(content_of(folder_ / "target"), "new");
 }
 
+TEST_F(AtomicFile, StreamedContentIsReadableBeforeItHasItsName) {
+  const fs::path path = folder_ / "streamed.pdf";
+  codec::AtomicFile file(path);
+  file.write("first ");
+  file.write("second");
+  file.close();
+  EXPECT_FALSE(fs::exists(path));
+  EXPECT_EQ(content_of(file.written_path()), "first second");
+  file.publish();
+  EXPECT_EQ(content_of(path), "first second");
+  EXPECT_EQ(files_in_folder(), 1);
+}
+
+TEST_F(AtomicFile, WhatIsNotPublishedIsRemoved) {
+  { codec::AtomicFile(folder_ / "never").write("content"); }
+  EXPECT_EQ(files_in_folder(), 0);
+}
+
 TEST_F(AtomicFile, ADeviceIsWrittenDirectly) {
   write_file_atomically("/dev/null", "gone");
   EXPECT_TRUE(fs::is_character_file("/dev/null"));

@@ -13,7 +13,7 @@ SampleSheet sample_sheet(const std::string& family, double edge_mm, std::size_t 
   const draw::SheetDecor decor{.label = draw::TextFormat("{family} {id:05}", draw::label_fields()),
                                .title = "Sample & <title>",
                                .notes = true,
-                               .ruler = true,
+                               .ruler = draw::RulerPlace::Lying,
                                .cut_marks = true};
   const std::vector<draw::TagGroup> groups = {group};
   const draw::SheetOptions options{.label_mm = draw::label_height_mm(decor, groups),

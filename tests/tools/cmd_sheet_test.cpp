@@ -77,10 +77,10 @@ TEST_F(SheetCommand, OneFileATagHasTheTagsSize) {
   EXPECT_EQ(outcome.code, 0) << outcome.messages;
   EXPECT_EQ(files(), (std::vector<std::string>{"tag16h5-00003.png", "tag16h5-00007.png",
                                                "tag16h5-00020.png", "tag16h5-00021.png"}));
-  // Eight cells in all for six in the edge; one pixel a mm.
+  // Eight cells in all for six in the edge; 33.3 mm a cell become 33 dots of a mm.
   const detect::Image image = io::read_gray_image(file("tag16h5-00003.png"));
-  EXPECT_EQ(image.width(), 267);
-  EXPECT_EQ(image.height(), 267);
+  EXPECT_EQ(image.width(), 264);
+  EXPECT_EQ(image.height(), 264);
 }
 
 TEST_F(SheetCommand, OneFileAPageIsNumbered) {
@@ -118,7 +118,7 @@ TEST_F(SheetCommand, UsageFaultsAreNamed) {
   EXPECT_PRED2(has, refused({"tag36h11", "--edge", "4cm", "--outer", "5cm"}, "a.pdf"), "--outer");
   EXPECT_PRED2(has, refused({"tag36h11:40mm:587"}, "a.pdf"), "587");
   EXPECT_PRED2(has, refused({"tag36h11:40cm:0"}, "a.pdf"), "not one tag fits on the page");
-  EXPECT_PRED2(has, refused({"tag36h11:4cm"}, "a.svg"), "49 pages do not go into one SVG or PNG");
+  EXPECT_PRED2(has, refused({"tag36h11:4cm"}, "a.svg"), "49 pages do not go into one svg file");
   EXPECT_PRED2(has, refused({"tag36h11:4cm"}, "a.xyz"), "names no format");
   EXPECT_PRED2(has, refused({"tag36h11:4cm"}, "a"), "--format");
   EXPECT_PRED2(has, refused({"tag36h11:4cm"}, "{ids}.svg"), "did you mean 'id'?");

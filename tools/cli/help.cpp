@@ -10,6 +10,7 @@
 namespace tagmint::cli {
 namespace {
 
+constexpr const char* kCommonOptionsGroup = "Common options";
 constexpr std::size_t kColumns = 80;
 constexpr std::size_t kTextColumn = 26;  // where descriptions start
 
@@ -50,31 +51,83 @@ std::string type_name(const CLI::Option& option) {
   return type;
 }
 
-/// "-o,--output FILE" or, for a positional, "FAMILY".
-std::string left_part(const CLI::Option& option) {
-  if (option.get_positional()) return option.get_name(true, false);
-  std::string text = option.get_name(false, true);
-  const std::string type = type_name(option);
-  const bool takes_value = option.get_items_expected_max() > 0;
-  if (takes_value && !type.empty()) text += " " + type;
-  return text;
+/// "-o,--output" or, for a positional, "FAMILY".
+std::string option_name(const CLI::Option& option) {
+  return option.get_positional() ? option.get_name(true, false) : option.get_name(false, true);
 }
 
-std::string description(const CLI::Option& option) {
-  std::string text = option.get_description();
+/// The type of its value, "FILE"; empty for flags and positionals.
+std::string value_type(const CLI::Option& option) {
+  const bool takes_value = !option.get_positional() && option.get_items_expected_max() > 0;
+  return takes_value ? type_name(option) : "";
+}
+
+/// The default as the help shows it; empty for none.
+std::string shown_default(const CLI::Option& option) {
   const std::string value = option.get_default_str();
   const bool shown =
       !option.get_required() && !value.empty() && value != "[]" && value != "{}" && value != "\"\"";
-  if (shown) text += fmt::format(" [default: {}]", value);
-  if (option.get_required() && !option.get_positional()) text += " (required)";
-  return text;
+  return shown ? value : "";
+}
+
+/// Options in a row of the help: those that follow each other with the same description.
+struct HelpRow {
+  const CLI::Option* first;
+  std::vector<std::string> names;
+  std::string type;  // of the last one
+  std::string defaults;
+
+  /// "--columns, --rows N"
+  std::string left() const {
+    const std::string all = fmt::format("{}", fmt::join(names, ", "));
+    return type.empty() ? all : all + " " + type;
+  }
+
+  std::string description() const {
+    std::string text = first->get_description();
+    if (!defaults.empty()) text += fmt::format(" [default: {}]", defaults);
+    if (first->get_required() && !first->get_positional()) text += " (required)";
+    return text;
+  }
+};
+
+/// Whether an option goes into the row before it: the same description, and values of one type.
+bool joins(const CLI::Option& option, const HelpRow& row) {
+  const std::string type = value_type(option);
+  return row.first->get_description() == option.get_description() &&
+         (row.type == type || row.type.empty() || type.empty());
+}
+
+std::vector<HelpRow> help_rows(const CLI::App& app) {
+  std::vector<HelpRow> rows;
+  for (const CLI::Option* option : app.get_options()) {
+    if (option->get_group().empty()) continue;
+    const std::string value = shown_default(*option);
+    const std::string type = value_type(*option);
+    if (rows.empty() || !joins(*option, rows.back())) {
+      rows.push_back({option, {option_name(*option)}, type, value});
+      continue;
+    }
+    HelpRow& row = rows.back();
+    // A flag after an option with a value: the value stays with its option.
+    if (type.empty() && !row.type.empty()) {
+      row.names.back() += " " + row.type;
+      row.type.clear();
+    } else {
+      row.type = type;
+    }
+    row.names.push_back(option_name(*option));
+    if (!value.empty()) row.defaults += (row.defaults.empty() ? "" : ", ") + value;
+  }
+  return rows;
 }
 
 std::string usage_line(const Command& command, const CLI::App& app) {
   std::string line = fmt::format("usage: tagmint {}", command.name);
   for (const CLI::Option* option : app.get_options()) {
     if (option->get_positional() || !option->get_required()) continue;
-    line += " " + left_part(*option);
+    const std::string type = value_type(*option);
+    line += " " + option_name(*option) + (type.empty() ? "" : " " + type);
   }
   line += " [OPTIONS]";
   for (const CLI::Option* option : app.get_options()) {
@@ -116,16 +169,21 @@ std::string command_help(const Command& command, const CLI::App& app) {
       fmt::format("tagmint {}: {}. {}", command.name, command.summary, app.get_description());
   for (const std::string& line : wrapped(about, kColumns)) text += line + "\n";
   text += "\n" + usage_line(command, app);
-  std::string arguments, options, common;
-  for (const CLI::Option* option : app.get_options()) {
-    if (option->get_group().empty()) continue;
-    const bool shared = option->get_group() == "Common options";
-    std::string& section = option->get_positional() ? arguments : shared ? common : options;
-    section += table_row(left_part(*option), description(*option));
+  std::string arguments, options, common, heading;
+  for (const HelpRow& row : help_rows(app)) {
+    const std::string& group = row.first->get_group();
+    std::string& section = row.first->get_positional()    ? arguments
+                           : group == kCommonOptionsGroup ? common
+                                                          : options;
+    if (&section == &options && group != heading) {
+      heading = group;
+      options += group + ":\n";
+    }
+    section += table_row(row.left(), row.description());
   }
   common += table_row("-h,--help", "this text");
   if (!arguments.empty()) text += "\nArguments:\n" + arguments;
-  if (!options.empty()) text += "\nOptions:\n" + options;
+  if (!options.empty()) text += "\n" + options;
   text += "\nCommon options:\n" + common + "\nExamples:\n";
   for (const std::string_view example : command.examples) text += fmt::format("  {}\n", example);
   return text;

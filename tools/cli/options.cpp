@@ -41,9 +41,8 @@ void add_common_options(CLI::App& app, Common& common) {
            if (place == words.end()) throw not_in_list(word, "--progress", words);
            common.progress = static_cast<ProgressMode>(place - words.begin());
          },
-         "progress on stderr; auto: a bar on a terminal")
-      ->type_name(fmt::format("{}", fmt::join(words, "|")))
-      ->default_str("auto")
+         "auto (a bar on a terminal), always, never or json")
+      ->type_name("WHEN")
       ->group("Common options");
 }
 

@@ -22,16 +22,17 @@ struct NamedPaper {
   PaperSize size;
 };
 
-// ISO 216 and the North American sizes, 8.5 x 11 in and 8.5 x 14 in.
-constexpr std::array<NamedPaper, 9> kPapers = {{{"a0", {841, 1189}},
-                                                {"a1", {594, 841}},
-                                                {"a2", {420, 594}},
-                                                {"a3", {297, 420}},
-                                                {"a4", {210, 297}},
-                                                {"a5", {148, 210}},
-                                                {"a6", {105, 148}},
-                                                {"letter", {215.9, 279.4}},
-                                                {"legal", {215.9, 355.6}}}};
+// ISO 216 and the North American sizes, 8.5 x 11, 8.5 x 14 and 11 x 17 in.
+constexpr std::array<NamedPaper, 10> kPapers = {{{"a0", {841, 1189}},
+                                                 {"a1", {594, 841}},
+                                                 {"a2", {420, 594}},
+                                                 {"a3", {297, 420}},
+                                                 {"a4", {210, 297}},
+                                                 {"a5", {148, 210}},
+                                                 {"a6", {105, 148}},
+                                                 {"letter", {215.9, 279.4}},
+                                                 {"legal", {215.9, 355.6}},
+                                                 {"tabloid", {279.4, 431.8}}}};
 
 /// "100x150mm": two numbers, and the unit of both at the end.
 PaperSize parse_sides(std::string_view text, std::string_view option) {

@@ -18,7 +18,7 @@ constexpr std::array<std::string_view, 7> kNames = {"pdf", "svg", "png", "tiff",
 
 std::unique_ptr<Canvas> plain_canvas(FileKind kind, const FileOptions& options, ByteSink sink) {
   const RasterCanvas::Options raster{
-      .dpi = options.dpi, .bits = options.bits, .transparent = !options.white_ground};
+      .dpi = options.dpi, .bits = options.bits, .transparent = !has_white_ground(kind, options)};
   switch (kind) {
     case FileKind::Pdf:
       return std::make_unique<PdfCanvas>(std::move(sink), options.title, options.ink_model);
@@ -56,6 +56,10 @@ std::string_view name_of(FileKind kind) { return kNames[static_cast<std::size_t>
 bool holds_pages(FileKind kind) { return kind == FileKind::Pdf || kind == FileKind::Ps; }
 
 bool is_raster(FileKind kind) { return kind == FileKind::Png || kind == FileKind::Tiff; }
+
+bool has_white_ground(FileKind kind, const FileOptions& options) {
+  return options.white_ground.value_or(kind == FileKind::Svg || is_raster(kind));
+}
 
 std::unique_ptr<Canvas> make_canvas(FileKind kind, const FileOptions& options, ByteSink sink) {
   std::unique_ptr<Canvas> canvas = plain_canvas(kind, options, std::move(sink));

@@ -29,11 +29,16 @@ bool is_raster(FileKind kind);
 struct FileOptions {
   std::string title;                    ///< noted in the file, UTF-8; may be empty
   InkModel ink_model = InkModel::Gray;  ///< PDF, PS, EPS
-  bool white_ground = true;             ///< PNG, TIFF: white, not transparent
+  std::optional<bool> white_ground;     ///< white, not transparent; see has_white_ground()
   double dpi = 300.0;                   ///< PNG, TIFF
   int bits = 8;                         ///< PNG, TIFF: 1 or 8
   bool outline = false;                 ///< hairlines around what would be filled
 };
+
+/// Whether the page is white where nothing is drawn: as the options say, else white in files made
+/// for screens (SVG, PNG, TIFF) and free in those made for paper (PDF, PS, EPS, DXF). Raster files
+/// see to that themselves; in the others Canvas::paint_ground() does it.
+bool has_white_ground(FileKind kind, const FileOptions& options);
 
 /// An empty drawing that becomes a file of that kind.
 ///   sink   takes the file's bytes, in order, as they are ready

@@ -90,6 +90,11 @@ void Path::add_rounded_rectangle(double x, double y, double width, double height
   close();
 }
 
+void Path::append(const Path& other) {
+  steps_.insert(steps_.end(), other.steps_.begin(), other.steps_.end());
+  points_.insert(points_.end(), other.points_.begin(), other.points_.end());
+}
+
 void Path::add_line(double x0, double y0, double x1, double y1) {
   move_to(x0, y0);
   line_to(x1, y1);

@@ -44,6 +44,8 @@ class Path {
   void add_circle(double x, double y, double radius);
   /// Clockwise; the radius of its corners is at most half the shorter side.
   void add_rounded_rectangle(double x, double y, double width, double height, double radius);
+  /// All contours of another path.
+  void append(const Path& other);
   /// An open line.
   void add_line(double x0, double y0, double x1, double y1);
 

@@ -123,7 +123,7 @@ void PsCanvas::begin_page(const PageSetup& page) {
                        number_text(kPointsAMm, 9));
 }
 
-void PsCanvas::paint_ground(const Path&) {}
+void PsCanvas::paint_ground(const Path& area) { fill(area, {}, {.gray = 1.0}); }
 
 void PsCanvas::fill(const Path& path, const Placement& place, const Ink& ink) {
   text_ += fmt::format("{} I {} P\n", number_text(ink.gray, 4), place_text(place));

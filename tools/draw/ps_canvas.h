@@ -18,7 +18,6 @@ class PsCanvas final : public Canvas {
 
   /// Throws std::logic_error for a second page of an EPS file.
   void begin_page(const PageSetup& page) override;
-  /// Nothing: PostScript paints on paper.
   void paint_ground(const Path& area) override;
   void fill(const Path& path, const Placement& place, const Ink& ink) override;
   void stroke(const Path& path, const Placement& place, const Pen& pen) override;

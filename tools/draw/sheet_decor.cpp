@@ -29,8 +29,12 @@ double header_height_mm(const SheetDecor& decor) {
 
 double footer_height_mm(const SheetDecor& decor, std::size_t groups) {
   const double notes = decor.notes ? kNoteLineMm * static_cast<double>(groups) : 0.0;
-  const double ruler = decor.ruler ? kRulerHeightMm : 0.0;
+  const double ruler = decor.ruler == RulerPlace::Lying ? kRulerDepthMm : 0.0;
   return notes + ruler > 0 ? notes + ruler + kNoteGapMm : 0.0;
+}
+
+double side_width_mm(const SheetDecor& decor) {
+  return decor.ruler == RulerPlace::Upright ? kRulerDepthMm + kNoteGapMm : 0.0;
 }
 
 double label_height_mm(const SheetDecor& decor, std::span<const TagGroup> groups) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "draw/cut_outline.h"
 #include "draw/draw_tag.h"
 #include "draw/ruler.h"
 #include "draw/text.h"
@@ -22,10 +23,20 @@ constexpr double kMarkGray = 0.4;
 constexpr double kTitleSizeMm = 5.0;
 constexpr double kNoteSizeMm = 2.6;
 constexpr double kCutMarkMm = 4.0;
-constexpr double kCutMarkLineMm = 0.1;
 
 codec::TagCells cells_of(const TagGroup& group, codec::TagId id) {
   return codec::tag_cells(group.family->layout(), group.family->codeword(id));
+}
+
+void draw_tag_of(Canvas& canvas, const SheetPlan& plan, const PlacedTag& tag, bool inverted) {
+  const TagGroup& group = plan.groups[tag.group];
+  const codec::TagCells cells = cells_of(group, tag.id);
+  if (inverted) {
+    draw_inverted_tag(canvas, group.family->layout(), cells, tag.outer, tag.quiet_mm,
+                      plan.options.cut_shape == CutShape::Circle);
+  } else {
+    draw_tag(canvas, cells, tag.outer);
+  }
 }
 
 /// In the band below the tag and its quiet zone, at whose lower end the slot ends.
@@ -55,8 +66,14 @@ void draw_cut_marks(Canvas& canvas, const Box& slot, double gap_mm) {
       marks.add_line(x, y + down * 0.1 * length, x, y + down * length);
     }
   }
-  canvas.stroke(marks, {},
-                {.width_mm = kCutMarkLineMm, .ink = {.gray = kMarkGray, .role = Role::Cut}});
+  canvas.stroke(marks, {}, {.width_mm = kCutLineMm, .ink = {.gray = kMarkGray, .role = Role::Cut}});
+}
+
+void draw_cut_line(Canvas& canvas, const SheetPlan& plan, const PlacedTag& tag) {
+  const SheetOptions& options = plan.options;
+  const codec::Layout& layout = plan.groups[tag.group].family->layout();
+  canvas.stroke(cut_outline(tag, layout, options.cut_shape, options.gap_mm), {},
+                {.width_mm = kCutLineMm, .ink = {.gray = kMarkGray, .role = Role::Cut}});
 }
 
 void draw_title(Canvas& canvas, const Box& area, const std::string& title) {
@@ -94,28 +111,34 @@ void draw_notes(Canvas& canvas, const SheetPlan& plan, std::size_t page) {
   draw_text(canvas, note, area.right_mm(), area.bottom_mm() - 0.8, 0.43 * area.width_mm, right);
 }
 
+/// What is kept free for the ruler.
+Box ruler_box(const SheetPlan& plan, std::size_t page, const SheetDecor& decor) {
+  const Box area = plan.area();
+  const auto lines = static_cast<double>(decor.notes ? groups_on(plan.pages[page]).size() : 0);
+  const double bottom = area.bottom_mm() - lines * kNoteLineMm;
+  if (decor.ruler == RulerPlace::Upright) {
+    const double top = area.y_mm + header_height_mm(decor);
+    return {area.x_mm, top, kRulerDepthMm, bottom - top};
+  }
+  return {area.x_mm, bottom - kRulerDepthMm, area.width_mm, kRulerDepthMm};
+}
+
 }  // namespace
 
 void draw_page(Canvas& canvas, const SheetPlan& plan, std::size_t page, const SheetDecor& decor) {
   const Box area = plan.area();
   const std::vector<PlacedTag>& tags = plan.pages[page].tags;
   // Kind by kind, so that files with groups have one of each.
-  for (const PlacedTag& tag : tags) {
-    draw_tag(canvas, cells_of(plan.groups[tag.group], tag.id), tag.outer);
-  }
+  for (const PlacedTag& tag : tags) draw_tag_of(canvas, plan, tag, decor.inverted);
   for (const PlacedTag& tag : tags) {
     if (decor.label) draw_label(canvas, plan, tag, *decor.label);
   }
   for (const PlacedTag& tag : tags) {
     if (decor.cut_marks) draw_cut_marks(canvas, tag.slot, plan.options.gap_mm);
+    if (decor.cut_lines) draw_cut_line(canvas, plan, tag);
   }
   if (!decor.title.empty()) draw_title(canvas, area, decor.title);
-  if (decor.ruler) {
-    const double lines =
-        decor.notes ? static_cast<double>(groups_on(plan.pages[page]).size()) : 0.0;
-    draw_ruler(canvas, area.x_mm, area.bottom_mm() - lines * kNoteLineMm - kRulerHeightMm,
-               area.width_mm, kNoteGray);
-  }
+  draw_ruler(canvas, ruler_box(plan, page, decor), decor.ruler, kNoteGray);
   if (decor.notes) draw_notes(canvas, plan, page);
 }
 
@@ -125,8 +148,8 @@ Path paper_of(const SheetPlan& plan, std::size_t page) {
   for (const PlacedTag& tag : plan.pages[page].tags) {
     const codec::TagCells cells = cells_of(plan.groups[tag.group], tag.id);
     const Placement place = grid_placement(tag.outer, cells.width());
+    // The other way round than the paper: holes in it.
     for (const Outline& outline : hole_outlines(cells)) {
-      // The other way round than the paper: a hole in it.
       std::vector<PathPoint> corners;
       for (auto corner = outline.rbegin(); corner != outline.rend(); ++corner) {
         corners.push_back(place.on_page({double(corner->x), double(corner->y)}));

@@ -27,9 +27,12 @@ void check(const std::vector<TagGroup>& groups, const SheetOptions& options) {
     require(side > 0 && side <= kMaxPageMm, "a page side in mm", side, "above 0 up to 5080");
   }
   for (const double length : {options.margin_mm, options.gap_mm, options.label_mm,
-                              options.header_mm, options.footer_mm}) {
+                              options.header_mm, options.footer_mm, options.side_mm}) {
     require(length >= 0, "a margin, gap or text height in mm", length, "0 or more");
   }
+  require(options.quiet_zone_cells >= 0, "a quiet zone in cells", options.quiet_zone_cells,
+          "0 or more");
+  require(options.dot_mm >= 0, "the width of a dot in mm", options.dot_mm, "0 or more");
   require(options.columns >= 0, "a number of columns", options.columns, "0 or more");
   require(options.rows >= 0, "a number of rows", options.rows, "0 or more");
   if (groups.empty()) throw std::invalid_argument("a sheet needs at least one group of tags");
@@ -47,17 +50,22 @@ void check(const std::vector<TagGroup>& groups, const SheetOptions& options) {
 /// The lengths of a group's slots.
 struct SlotSize {
   double outer_mm;
-  double quiet_mm;  // on each side
+  double quiet_mm;   // around the tag
+  double offset_mm;  // from the slot's left and upper side to the tag
   double width_mm;
   double height_mm;
 };
 
-SlotSize slot_size(const TagGroup& group, double label_mm) {
+SlotSize slot_size(const TagGroup& group, const SheetOptions& options) {
   const codec::Layout& layout = group.family->layout();
   const double outer = outer_of_edge(layout, group.edge_mm);
-  const double quiet = quiet_cells(layout) * group.edge_mm / layout.width_at_border();
-  const double side = outer + 2 * quiet;
-  return {outer, quiet, side, side + label_mm};
+  const double quiet = quiet_zone_mm(layout, group.edge_mm, options.quiet_zone_cells);
+  double side = outer + 2 * quiet;
+  if (options.cut_shape == CutShape::Circle) {
+    const double cell = group.edge_mm / layout.width_at_border();
+    side = std::max(side, 2 * (radius_cells(layout) * cell + quiet));
+  }
+  return {outer, quiet, (side - outer) / 2, side, side + options.label_mm};
 }
 
 /// How many slots of `slot` mm, `gap` apart, stand within `room`.
@@ -118,8 +126,10 @@ class PageFiller {
 void PageFiller::add_group(std::size_t index) {
   const SheetOptions& options = plan_.options;
   const TagGroup& group = plan_.groups[index];
-  const SlotSize slot = slot_size(group, options.label_mm);
-  const Box area = plan_.area();
+  const SlotSize slot = slot_size(group, options);
+  Box area = plan_.area();
+  area.x_mm += options.side_mm;
+  area.width_mm -= options.side_mm;
   const int columns =
       grid_count(options.columns, area.width_mm, slot.width_mm, options.gap_mm, "width", group);
   const int rows =
@@ -146,8 +156,22 @@ void PageFiller::add_group(std::size_t index) {
     plan_.pages.back().tags.push_back(
         {.group = index,
          .id = group.ids[i],
-         .outer = {x + slot.quiet_mm, y + slot.quiet_mm, slot.outer_mm, slot.outer_mm},
-         .slot = {x, y, slot.width_mm, slot.height_mm}});
+         .outer = {x + slot.offset_mm, y + slot.offset_mm, slot.outer_mm, slot.outer_mm},
+         .slot = {x, y, slot.width_mm, slot.height_mm},
+         .quiet_mm = slot.quiet_mm});
+  }
+}
+
+/// Moves a tag down by `top_mm`, then to the nearest place that is a whole number of dots.
+void move(PlacedTag& tag, double top_mm, double dot_mm) {
+  const auto to_dot = [&](double at) {
+    return dot_mm > 0 ? std::round(at / dot_mm) * dot_mm - at : 0.0;
+  };
+  const double right = to_dot(tag.outer.x_mm);
+  const double down = top_mm + to_dot(tag.outer.y_mm + top_mm);
+  for (Box* box : {&tag.outer, &tag.slot}) {
+    box->x_mm += right;
+    box->y_mm += down;
   }
 }
 
@@ -170,6 +194,32 @@ int quiet_cells(const codec::Layout& layout) {
   return 0;
 }
 
+double quiet_zone_mm(const codec::Layout& layout, double edge_mm, double quiet_zone_cells) {
+  const double own_ring = quiet_cells(layout) == 0 ? 1.0 : 0.0;
+  return std::max(0.0, quiet_zone_cells - own_ring) * edge_mm / layout.width_at_border();
+}
+
+double radius_cells(const codec::Layout& layout) {
+  const double middle = layout.width() / 2.0;
+  double radius = 0.0;
+  for (int y = 0; y < layout.width(); ++y) {
+    for (int x = 0; x < layout.width(); ++x) {
+      if (layout.cell(x, y) == codec::Cell::None) continue;
+      // The farther side of the cell in each direction.
+      const double dx = std::max(middle - x, x + 1 - middle);
+      const double dy = std::max(middle - y, y + 1 - middle);
+      radius = std::max(radius, std::hypot(dx, dy));
+    }
+  }
+  return radius;
+}
+
+double whole_dot_edge(const codec::Layout& layout, double edge_mm, double dpi) {
+  const double dot_mm = kMmAnInch / dpi;
+  const double dots = std::max(1.0, std::round(edge_mm / layout.width_at_border() / dot_mm));
+  return dots * dot_mm * layout.width_at_border();
+}
+
 Box SheetPlan::area() const {
   return {options.margin_mm, options.margin_mm, options.page_width_mm - 2 * options.margin_mm,
           options.page_height_mm - 2 * options.margin_mm};
@@ -190,10 +240,7 @@ SheetPlan plan_sheet(std::vector<TagGroup> groups, const SheetOptions& options) 
 
   const double top = options.margin_mm + options.header_mm + (room - filler.tallest_mm()) / 2;
   for (SheetPage& page : plan.pages) {
-    for (PlacedTag& tag : page.tags) {
-      tag.outer.y_mm += top;
-      tag.slot.y_mm += top;
-    }
+    for (PlacedTag& tag : page.tags) move(tag, top, options.dot_mm);
   }
   return plan;
 }
@@ -202,10 +249,10 @@ SheetPlan plan_single(const codec::SharedFamily& family, double edge_mm, codec::
                       SheetOptions options) {
   std::vector<TagGroup> groups = {{family, edge_mm, {id}}};
   options.columns = options.rows = 1;
-  options.header_mm = options.footer_mm = 0.0;
+  options.header_mm = options.footer_mm = options.side_mm = 0.0;
   options.page_width_mm = options.page_height_mm = 1.0;
   check(groups, options);
-  const SlotSize slot = slot_size(groups[0], options.label_mm);
+  const SlotSize slot = slot_size(groups[0], options);
   options.page_width_mm = slot.width_mm + 2 * options.margin_mm;
   options.page_height_mm = slot.height_mm + 2 * options.margin_mm;
   if (options.page_height_mm > kMaxPageMm || options.page_width_mm > kMaxPageMm) {

@@ -36,25 +36,50 @@ double edge_of_outer(const codec::Layout& layout, double outer_mm);
 /// else 1.
 int quiet_cells(const codec::Layout& layout);
 
+/// Width of the white that is kept free around the whole tag, in mm, for a quiet zone of
+/// `quiet_zone_cells` (0 or more) in all: a white ring of the tag's own counts as one cell.
+double quiet_zone_mm(const codec::Layout& layout, double edge_mm, double quiet_zone_cells);
+
+/// Distance from the tag's middle to the farthest corner of a cell that it has, in cells. Round
+/// tags do not reach into the corners of their grid.
+double radius_cells(const codec::Layout& layout);
+
+/// The edge nearest to `edge_mm` of which each cell is a whole number of dots, at least one.
+///   dpi   dots per inch, > 0
+double whole_dot_edge(const codec::Layout& layout, double edge_mm, double dpi);
+
+/// How a tag is cut out.
+enum class CutShape {
+  Square,   ///< the tag's slot: tag, quiet zone and label
+  Rounded,  ///< the same with round corners, which lie in the gap
+  Circle,   ///< a circle around the tag and its quiet zone; the label stays outside
+};
+
 /// What a page leaves to the tags, and how they stand there.
 struct SheetOptions {
   double page_width_mm = 210.0;
   double page_height_mm = 297.0;
-  double margin_mm = 10.0;  ///< kept free on all four sides
-  double gap_mm = 5.0;      ///< between neighbouring slots
-  int columns = 0;          ///< of a page; 0 = as many as fit
-  int rows = 0;             ///< of a page; 0 = as many as fit
-  double label_mm = 0.0;    ///< height below each tag that its label takes; 0 = no labels
-  double header_mm = 0.0;   ///< height at the top, inside the margin, for a title
-  double footer_mm = 0.0;   ///< height at the bottom, inside the margin, for notes
+  double margin_mm = 10.0;        ///< kept free on all four sides
+  double gap_mm = 5.0;            ///< between neighbouring slots
+  int columns = 0;                ///< of a page; 0 = as many as fit
+  int rows = 0;                   ///< of a page; 0 = as many as fit
+  double label_mm = 0.0;          ///< height below each tag that its label takes; 0 = no labels
+  double header_mm = 0.0;         ///< height at the top, inside the margin, for a title
+  double footer_mm = 0.0;         ///< height at the bottom, inside the margin, for notes
+  double side_mm = 0.0;           ///< width at the left, inside the margin, for an upright ruler
+  double quiet_zone_cells = 1.0;  ///< see quiet_zone_mm()
+  CutShape cut_shape = CutShape::Square;
+  double dot_mm =
+      0.0;  ///< tags start at whole multiples of it, moved by at most half; 0 = anywhere
 };
 
 /// A tag's place.
 struct PlacedTag {
   std::size_t group = 0;  ///< index into SheetPlan::groups
   codec::TagId id = 0;
-  Box outer;  ///< the whole tag
-  Box slot;   ///< the tag, its quiet zone and its label: nothing else is drawn in here
+  Box outer;              ///< the whole tag
+  Box slot;               ///< the tag, its quiet zone and its label: nothing else is drawn in here
+  double quiet_mm = 0.0;  ///< width of the quiet zone around `outer`
 };
 
 struct SheetPage {

@@ -1,5 +1,6 @@
 #include "draw/sheet_writer.h"
 
+#include "draw/sheet_bookmarks.h"
 #include "draw/sheet_page.h"
 
 namespace tagmint::draw {
@@ -23,8 +24,8 @@ void write_sheet(const SheetPlan& plan, const SheetDecor& decor, std::size_t fir
     canvas->begin_page({.width_mm = plan.options.page_width_mm,
                         .height_mm = plan.options.page_height_mm,
                         .label = "",
-                        .bookmarks = {}});
-    if (kind == FileKind::Svg) canvas->paint_ground(paper_of(plan, page));
+                        .bookmarks = page_bookmarks(plan, page)});
+    if (has_white_ground(kind, options)) canvas->paint_ground(paper_of(plan, page));
     draw_page(*canvas, plan, page, decor);
     canvas->end_page();
     if (on_page) on_page(page);

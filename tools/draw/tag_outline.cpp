@@ -76,17 +76,8 @@ std::vector<Outline> trace(const Area& area) {
   return outlines;
 }
 
-}  // namespace
-
-std::vector<Outline> black_outlines(const TagCells& cells) {
-  Area black(cells.width());
-  for (int y = 0; y < cells.width(); ++y) {
-    for (int x = 0; x < cells.width(); ++x) black.set(x, y, cells.at(x, y) == Cell::Black);
-  }
-  return trace(black);
-}
-
-std::vector<Outline> hole_outlines(const TagCells& cells) {
+/// Absent cells that the tag's own cells enclose.
+Area holes_of(const TagCells& cells) {
   const int width = cells.width();
   Area holes(width);
   std::vector<CellPosition> outside;  // absent cells reached from the tag's rim, to be followed
@@ -109,7 +100,29 @@ std::vector<Outline> hole_outlines(const TagCells& cells) {
     outside.pop_back();
     for (const CellPosition step : kStep) leave(cell.x + step.x, cell.y + step.y);
   }
-  return trace(holes);
+  return holes;
 }
+
+}  // namespace
+
+std::vector<Outline> black_outlines(const TagCells& cells) {
+  Area black(cells.width());
+  for (int y = 0; y < cells.width(); ++y) {
+    for (int x = 0; x < cells.width(); ++x) black.set(x, y, cells.at(x, y) == Cell::Black);
+  }
+  return trace(black);
+}
+
+std::vector<Outline> unprinted_outlines(const TagCells& cells) {
+  Area unprinted = holes_of(cells);
+  for (int y = 0; y < cells.width(); ++y) {
+    for (int x = 0; x < cells.width(); ++x) {
+      if (cells.at(x, y) == Cell::Black) unprinted.set(x, y, true);
+    }
+  }
+  return trace(unprinted);
+}
+
+std::vector<Outline> hole_outlines(const TagCells& cells) { return trace(holes_of(cells)); }
 
 }  // namespace tagmint::draw

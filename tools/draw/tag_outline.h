@@ -18,6 +18,9 @@ using Outline = std::vector<codec::CellPosition>;
 ///   cost     O(width^2)
 std::vector<Outline> black_outlines(const codec::TagCells& cells);
 
+/// The same for the cells that inverted printing leaves free: black ones and holes in the tag.
+std::vector<Outline> unprinted_outlines(const codec::TagCells& cells);
+
 /// The boundaries of the holes in a tag: Cell::None cells that the tag's own cells enclose. Nothing
 /// may be painted there, not even white. Cells outside a round tag are no holes.
 std::vector<Outline> hole_outlines(const codec::TagCells& cells);
