@@ -9,11 +9,12 @@
 #include <utility>
 #include <vector>
 
+#include "cli/family_input.h"
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/process.h"
 #include "cli/progress.h"
-#include "tagmint/codec/builtin_families.h"
+#include "cli/terminal.h"
 #include "tagmint/codec/family_check.h"
 #include "tagmint/codec/rotation.h"
 #include "tagmint/codec/search/completeness.h"
@@ -78,7 +79,11 @@ Findings findings_of(const codec::Family& family, bool complete, const Common& c
 }
 
 int run(const Options& options, const Common& common) {
-  const codec::SharedFamily family = codec::load_family(options.family);
+  const InputFamily input = read_input_family(options.family, {.threads = common.threads});
+  const codec::SharedFamily& family = input.family;
+  for (const std::string& note : input.notes) {
+    say(common, fmt::format("{}: {}", family->name(), note));
+  }
   const Findings findings = findings_of(*family, options.complete, common);
   std::string text;
   for (const std::string& line : findings.proven) {
@@ -96,7 +101,7 @@ Runner set_up(CLI::App& app, const Common& common) {
       "Proves distance, distance to the own turns, complexity and levels from the codes alone. "
       "Exit code 1 where something does not hold.");
   auto options = std::make_shared<Options>();
-  add_family(app, options->family);
+  add_any_family(app, options->family);
   add_output(app, options->output);
   app.add_flag("--complete", options->complete,
                "prove too that no further word could be added; seconds at 36 bits, hours at 48");

@@ -5,26 +5,20 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
+#include "cli/family_input.h"
 #include "cli/number.h"
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/terminal.h"
 #include "io/atomic_folder.h"
-#include "io/family_kinds/family_changes.h"
 #include "io/family_kinds/family_kind.h"
-#include "io/family_kinds/older_systems.h"
-#include "tagmint/codec/builtin_families.h"
 #include "tagmint/codec/layout_presets.h"
-#include "tagmint/codec/suggest.h"
 
 namespace tagmint::cli {
 namespace {
@@ -80,38 +74,6 @@ io::FamilyReadOptions read_options(const Options& options, const Common& common)
   return read;
 }
 
-[[noreturn]] void throw_unknown_input(const std::string& name) {
-  const std::span<const std::string> bundled = codec::family_names();
-  std::vector<std::string> names(bundled.begin(), bundled.end());
-  for (std::string& older : io::older_system_names()) names.push_back(std::move(older));
-  std::string hint = codec::did_you_mean(name, names);
-  if (!hint.empty()) hint += ' ';
-  throw codec::InputError(fmt::format("no family '{}' is bundled and no file has that name", name),
-                          "", hint + "`tagmint families` lists the bundled ones");
-}
-
-/// The family of IN: a bundled one, that of a file or folder, or of an older system.
-io::ReadFamily read_input_family(const Options& options, const Common& common) {
-  const io::FamilyReadOptions read = read_options(options, common);
-  std::error_code unknown;
-  const bool bundled = options.from.empty() && codec::find_family(options.input) != nullptr;
-  if (bundled || (options.input != "-" && !std::filesystem::exists(options.input, unknown))) {
-    if (auto older = bundled ? std::nullopt : io::find_older_system(options.input, read)) {
-      return std::move(*older);
-    }
-    if (!bundled) throw_unknown_input(options.input);
-    return {io::with_options(*codec::load_family(options.input), read)};
-  }
-  const io::FamilySource source = io::read_family_source(options.input);
-  const io::FamilyKind& kind = options.from.empty() ? io::recognise_family_kind(source)
-                                                    : *io::find_family_kind(options.from);
-  if (source.is_folder != kind.is_folder) {
-    throw UsageError(fmt::format("a {} is not {}", source.is_folder ? "folder" : "file", kind.name),
-                     options.input, "leave --from out");
-  }
-  return kind.read(source, read);
-}
-
 /// The family as it goes into the kind: with its codewords listed unless the kind holds generators,
 /// and cut where the user or the kind wants fewer tags, which is said.
 codec::Family fitted(codec::Family family, const io::FamilyKind& kind, const Options& options,
@@ -150,12 +112,13 @@ std::string written_names(const io::FamilyKind& kind, const std::string& target,
 int run(const Options& options, const Common& common) {
   const io::FamilyKind& kind = kind_to_write(options);
   if (!is_stdout(options.output)) require_output(kind, options.output);
-  io::ReadFamily read = read_input_family(options, common);
-  for (const std::string& note : read.notes) {
-    say(common, fmt::format("{}: {}", read.family.name(), note));
+  const InputFamily input =
+      read_input_family(options.input, read_options(options, common), options.from);
+  for (const std::string& note : input.notes) {
+    say(common, fmt::format("{}: {}", input.family->name(), note));
   }
-  const std::size_t size = read.family.size();
-  const codec::Family family = fitted(std::move(read.family), kind, options, common);
+  const std::size_t size = input.family->size();
+  const codec::Family family = fitted(*input.family, kind, options, common);
   io::FamilyWriteOptions write;
   if (options.opencv == "5") write.opencv = io::OpenCvTurn::Upright;
   if (family.size() < size) write.codes_before_cut = size;

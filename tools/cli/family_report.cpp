@@ -25,8 +25,18 @@ int worker_count(int threads, std::size_t codewords) {
   return std::min(threads > 0 ? threads : cores, most);
 }
 
-/// Energy is counted in steps of 1 / kEnergySteps.
-constexpr double kEnergySteps = 20.0;
+/// Whole numbers divide without a remainder, so that bars have round names.
+constexpr double kEnergySteps = 1 / kEnergyStep;
+
+/// The nearest pairs that are named.
+constexpr std::size_t kNearestNamed = 3;
+
+/// Index of the first entry that is not zero; nothing when all are.
+std::optional<int> first_used(const std::vector<std::uint64_t>& histogram) {
+  const auto used = std::find_if(histogram.begin(), histogram.end(), [](auto n) { return n > 0; });
+  if (used == histogram.end()) return std::nullopt;
+  return static_cast<int>(used - histogram.begin());
+}
 
 using ComplexityHistogram = std::map<double, std::size_t>;
 
@@ -87,11 +97,21 @@ std::vector<LookupMemory> lookup_memory(const codec::SharedFamily& family) {
 
 }  // namespace
 
+std::optional<int> FamilyReport::safe_errors() const {
+  const int distance = std::min(family->min_hamming(), stats.min_hamming);
+  return distance > 0 ? std::optional((distance - 1) / 2) : std::nullopt;
+}
+
 FamilyReport make_family_report(codec::SharedFamily family, int threads) {
   FamilyReport report;
   report.digest =
       family->declared_digest().empty() ? codec::family_digest(*family) : family->declared_digest();
   report.stats = codec::family_stats(*family, threads);
+  report.between = first_used(report.stats.distance_histogram);
+  report.self_distance = first_used(report.stats.self_histogram).value_or(family->bits());
+  if (report.between) {
+    report.nearest = codec::near_pairs(*family, *report.between, kNearestNamed, threads);
+  }
   report.complexity_measure =
       family->complexity().rule == ComplexityRule::Rectangles ? "rectangles" : "energy";
   report.complexity_histogram = complexity_histogram(*family, threads);

@@ -48,6 +48,15 @@ std::string family_report_json(const FamilyReport& report) {
   const codec::Family& family = *report.family;
   Json json = family_summary_json(family);
   json["true_min_hamming"] = report.stats.min_hamming;
+  const auto safe = report.safe_errors();
+  json["safe_radius"] = safe ? Json(*safe) : Json(nullptr);
+  json["distance_between_tags"] = report.between ? Json(*report.between) : Json(nullptr);
+  json["self_distance"] = report.self_distance;
+  json["nearest_pairs"] = Json::array();
+  for (const codec::NearPair& pair : report.nearest) {
+    json["nearest_pairs"].push_back(
+        {{"ids", {pair.first, pair.second}}, {"distance", pair.distance}, {"turns", pair.turns}});
+  }
   json["layout_rows"] = family.layout().rows();
   json["reversed_border"] = family.layout().reversed_border();
   json["complexity"] = codec::to_string(family.complexity());

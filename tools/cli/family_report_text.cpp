@@ -76,24 +76,10 @@ std::string distances(const FamilyReport& report) {
       bars_of(report.stats.word_distances));
 }
 
-std::string origin_text(const codec::Origin& origin) {
-  std::string text;
-  const auto add = [&text](const std::string& label, const std::string& value) {
-    if (!value.empty()) text += fmt::format("{}{}{}", text.empty() ? "" : ", ", label, value);
-  };
-  add("", origin.method);
-  add("order ", origin.order);
-  add("seed ", origin.seed);
-  add("searched ", origin.searched);
-  add("by ", origin.program);
-  return text.empty() ? "not known" : text;
-}
-
-std::string complexity_text(const FamilyReport& report) {
-  const std::size_t tags = report.family->size();
-  const std::size_t passing = report.stats.levels.back().passing;
-  const std::string rule = codec::to_string(report.family->complexity());
-  return passing == tags ? rule : fmt::format("{}; {} of {} tags pass", rule, passing, tags);
+std::string safe_radius_text(const FamilyReport& report) {
+  const auto safe = report.safe_errors();
+  if (!safe) return "none: even without an error tags or their turns are taken for each other";
+  return fmt::format("{} bit error{}", *safe, *safe == 1 ? "" : "s");
 }
 
 std::string summary(const FamilyReport& report) {
@@ -104,7 +90,9 @@ std::string summary(const FamilyReport& report) {
       {"bits", fmt::to_string(family.bits())},
       {"distance",
        fmt::format("{} (declared), {} (found)", family.min_hamming(), report.stats.min_hamming)},
-      {"safe radius", fmt::format("{} bit errors", family.max_safe_errors())},
+      {"between tags", nearest_text(report)},
+      {"own turns", fmt::format("{} bits", report.self_distance)},
+      {"safe radius", safe_radius_text(report)},
       {"layout", codec::layout_name(layout)},
       {"edge", fmt::format("{} of {} cells, {}", layout.width_at_border(), layout.width(),
                            layout.reversed_border() ? "white inside black" : "black inside white")},
@@ -140,7 +128,7 @@ std::string levels(const FamilyReport& report) {
 /// The rates up to two bits above the safe radius: beyond it, errors may also give a wrong id.
 std::string false_accepts(const FamilyReport& report) {
   const auto& rates = report.stats.false_accept_rate;
-  const auto safe = static_cast<std::size_t>(report.family->max_safe_errors());
+  const auto safe = static_cast<std::size_t>(report.safe_errors().value_or(0));
   std::vector<std::vector<std::string>> rows;
   for (std::size_t bits = 0; bits < std::min(rates.size(), safe + 3); ++bits) {
     rows.push_back({fmt::to_string(bits), fmt::format("{:.3g}", rates[bits]),
@@ -161,6 +149,39 @@ std::string lookup(const FamilyReport& report) {
 }
 
 }  // namespace
+
+std::string origin_text(const codec::Origin& origin) {
+  std::string text;
+  const auto add = [&text](const std::string& label, const std::string& value) {
+    if (!value.empty()) text += fmt::format("{}{}{}", text.empty() ? "" : ", ", label, value);
+  };
+  add("", origin.method);
+  add("order ", origin.order);
+  add("seed ", origin.seed);
+  add("searched ", origin.searched);
+  add("by ", origin.program);
+  return text.empty() ? "not known" : text;
+}
+
+std::string complexity_text(const FamilyReport& report) {
+  const std::size_t tags = report.family->size();
+  const std::size_t passing = report.stats.levels.back().passing;
+  const std::string rule = codec::to_string(report.family->complexity());
+  return passing == tags ? rule : fmt::format("{}; {} of {} tags pass", rule, passing, tags);
+}
+
+std::string nearest_text(const FamilyReport& report) {
+  if (!report.between) {
+    return fmt::format("{} bits between words of the code", report.stats.min_hamming);
+  }
+  const std::uint64_t pairs = report.stats.distance_histogram[*report.between];
+  std::string ids;
+  for (const codec::NearPair& pair : report.nearest) {
+    ids += fmt::format("{}{} and {}", ids.empty() ? "" : ", ", pair.first, pair.second);
+  }
+  return fmt::format("{} bits: {}{}", *report.between, ids,
+                     pairs > report.nearest.size() ? fmt::format(", ... of {} pairs", pairs) : "");
+}
 
 std::string family_report_text(const FamilyReport& report) {
   Bars complexity;
