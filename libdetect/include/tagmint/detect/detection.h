@@ -26,7 +26,7 @@ struct Detection {
   Homography homography;  ///< tag [-1,1]^2 -> image; row-major scaled so that h22 = 1
   /// How far the corners may be from the truth, where the photometric step found them
   /// (docs/refinement.md); nothing where it did not run or was refused.
-  std::optional<CornerCovariance> corner_covariance;
+  std::optional<CornerCovariance> corner_covariance = {};
 };
 
 }  // namespace tagmint::detect
