@@ -94,8 +94,11 @@ class Outline {
   float* y_;
 };
 
+/// Coordinates are far from any overflow of their squares.
+float length_of(float x, float y) { return std::sqrt(x * x + y * y); }
+
 float distance_between(const Outline& o, int i, int k) {
-  return std::hypot(o.x(k) - o.x(i), o.y(k) - o.y(i));
+  return length_of(o.x(k) - o.x(i), o.y(k) - o.y(i));
 }
 
 /// Points farthest on both sides of the line from i to k; distances in px.
@@ -140,7 +143,7 @@ std::optional<FourPoints> extreme_points(const Outline& o, float middle_x, float
 bool is_straight(const Outline& o, int begin, int end) {
   const float ex = o.x(end) - o.x(begin);
   const float ey = o.y(end) - o.y(begin);
-  const float length = std::hypot(ex, ey);
+  const float length = length_of(ex, ey);
   const float most = length * (kMaxDeviationPx + kMaxDeviationShare * length);
   const auto near = [&](int first, int count) {
     return all_near_line(o.part(first, count), o.x(begin), o.y(begin), ex, ey, most);
