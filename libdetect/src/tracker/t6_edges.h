@@ -9,8 +9,7 @@ namespace tagmint::detect {
 
 /// Stage T6: corners from the bitmap -> sides that follow the gray values.
 struct EdgeOptions {
-  double min_side_px = 5;      ///< quads with a smaller mean side are refused, px of the image
-  double cells_at_border = 0;  ///< the widest border square looked for; 0 = not known
+  double min_side_px = 5;  ///< quads with a smaller mean side are refused, px of the image
 };
 
 /// Fits each side again. At most kMaxEdgeScans = 32 scan lines cross a side along rows or columns

@@ -15,7 +15,7 @@ enum class Algorithm {
 /// Settings of a Detector, by stage. Defaults suit a noisy camera; figures without a source are the
 /// reference detector's documented ones.
 struct DetectorOptions {
-  Algorithm algorithm = Algorithm::Paper;
+  Algorithm algorithm = Algorithm::Tracker;
 
   // Stage 1, preprocessing.
   double decimate = 1.0;  ///< >= 1; quads are looked for in an image this many times smaller
