@@ -202,8 +202,9 @@ Point corner_of(const SideLine& before, const SideLine& after, Point extreme) {
   return dot(shift, shift) <= most * most ? meeting : extreme;
 }
 
-/// Whether all points between two corners are near the line between the corners' places. Relative
-/// to the outline's origin.
+/// Whether the points between two corners are near the line between the corners' places, but for
+/// those next to an extreme point: the corner may be on either side of it. Relative to the
+/// outline's origin.
 bool is_straight(const Outline& o, int begin, int end, Point from, Point to) {
   const auto ax = static_cast<float>(from.x);
   const auto ay = static_cast<float>(from.y);
@@ -212,10 +213,14 @@ bool is_straight(const Outline& o, int begin, int end, Point from, Point to) {
   const float length = length_of(ex, ey);
   const float most = length * (kMaxDeviationPx + kMaxDeviationShare * length);
   const auto near = [&](int first, int count) {
-    return all_near_line(o.part(first, count), ax, ay, ex, ey, most);
+    return count <= 0 || all_near_line(o.part(first, count), ax, ay, ex, ey, most);
   };
-  if (begin < end) return near(begin, end - begin);
-  return near(begin, o.size() - begin) && (end == 0 || near(0, end));
+  const int points = (end - begin + o.size()) % o.size();
+  const int margin = 1 + points / 8;
+  const int first = begin + margin;
+  const int last = begin + points - margin;  // one behind
+  return near(first, std::min(last, o.size()) - first) &&
+         near(std::max(first, o.size()) - o.size(), last - std::max(first, o.size()));
 }
 
 }  // namespace
