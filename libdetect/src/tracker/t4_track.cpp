@@ -71,6 +71,7 @@ int step_left(const std::uint64_t* before, const std::uint64_t* row, int left, i
     const int run = std::countl_one(window << (63 - kMiddle));
     return run <= kMiddle ? left - run + 1 : run_begin(row, left - kMiddle);
   }
+  if (window >> (kMiddle - 1) & 1) return run_begin(row, left - 1);
   const int last = std::min(right, run_end(before, left) + kMaxGap);
   const int next = next_black(row, left, last);
   return next <= last ? next : kEnded;
@@ -84,6 +85,7 @@ int step_right(const std::uint64_t* before, const std::uint64_t* row, int left, 
     const int run = std::countr_one(window >> kMiddle);
     return run < kMiddle ? right + run - 1 : run_end(row, right + kMiddle - 1);
   }
+  if (window >> (kMiddle + 1) & 1) return run_end(row, right + 1);
   const int first = std::max(left, run_begin(before, right) - kMaxGap);
   const int next = previous_black(row, right, first);
   return next >= first ? next : kEnded;

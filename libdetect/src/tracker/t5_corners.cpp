@@ -17,7 +17,7 @@ constexpr float kMinCornerPx = 1.6f;
 constexpr double kAreaShare = 0.10;
 constexpr double kAreaPerPoint = 0.25;
 /// Points that a side needs for its line to be that of their means.
-constexpr int kMinMeanPoints = 8;
+constexpr int kMinMeanPoints = 6;
 /// The meeting of two such lines is a corner if the sine of their angle is at least this, and if it
 /// is this near to the extreme point: px, and a share of the shorter half side.
 constexpr double kMinCornerSine = 0.1;
@@ -183,7 +183,7 @@ SideLine line_between(const Outline& o, int begin, int end) {
   if (points < kMinMeanPoints) {
     return {{o.x(begin), o.y(begin)}, {o.x(end), o.y(end)}};
   }
-  const int margin = points / 8;
+  const int margin = 1 + points / 8;
   const int half = (points - 2 * margin) / 2;
   const auto wrapped = [&](int i) { return i < o.size() ? i : i - o.size(); };
   return {mean_point(o, wrapped(begin + margin), half),
