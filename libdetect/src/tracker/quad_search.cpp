@@ -86,7 +86,7 @@ void QuadSearch::make_bitmaps(ImageView image, ContrastBand contrast, WorkShare&
       });
 }
 
-/// Stages T4 to T6 for one start.
+/// Stages T4 and T5 for one start.
 void QuadSearch::follow_start(const Task& task, int x, int y, Worker& worker, Band& band) {
   DetectStats& stats = worker.stats;
   ++stats.starts;
@@ -100,15 +100,22 @@ void QuadSearch::follow_start(const Task& task, int x, int y, Worker& worker, Ba
     count(result.refused, stats);
     return;
   }
-  const Quad quad{*result.corners, task.reversed};
-  if (!task.options.fit_edges) {
-    band.quads.push_back(quad);
-  } else if (const std::optional<Quad> fitted =
-                 fit_edges(task.image, quad, {.min_side_px = task.options.min_side_px})) {
-    band.quads.push_back(*fitted);
-  } else {
-    ++stats.bad_fit;
+  band.quads.push_back({*result.corners, task.reversed});
+}
+
+/// Stage T6 for the quads of a band from `first` on.
+void QuadSearch::fit_band(const Task& task, std::size_t first, Worker& worker, Band& band) {
+  const StageTimer timer(worker.stats, Stage::FitEdges);
+  const EdgeOptions options{.min_side_px = task.options.min_side_px};
+  std::size_t kept = first;
+  for (std::size_t i = first; i < band.quads.size(); ++i) {
+    if (const std::optional<Quad> fitted = fit_edges(task.image, band.quads[i], options)) {
+      band.quads[kept++] = *fitted;
+    } else {
+      ++worker.stats.bad_fit;
+    }
   }
+  band.quads.resize(kept);
 }
 
 /// Stage T3 for one band, and all that follows from its starts.
@@ -129,14 +136,22 @@ void QuadSearch::search_band(const Task& task, int index, Worker& worker) {
     find_starts({plane.row(first), static_cast<std::ptrdiff_t>(plane.stride())}, rows,
                 plane.words(), worker.starts.data(), static_cast<std::ptrdiff_t>(words));
   }
+  Band& band = bands_[static_cast<std::size_t>(index)];
+  const std::size_t known = band.quads.size();
+  follow_starts(task, first, rows, words, worker, band);
+  if (task.options.fit_edges) fit_band(task, known, worker, band);
+}
+
+/// All starts of a band, row by row.
+void QuadSearch::follow_starts(const Task& task, int first, int rows, std::size_t words,
+                               Worker& worker, Band& band) {
   const StageTimer timer(worker.stats, Stage::Track);
-  worker.visited.reset(first, first + rows, plane.width());
+  worker.visited.reset(first, first + rows, task.plane.width());
   for (int y = 0; y < rows; ++y) {
     const std::uint64_t* const starts = worker.starts.data() + static_cast<std::size_t>(y) * words;
-    for (int word = 0; word < plane.words(); ++word) {
+    for (int word = 0; word < task.plane.words(); ++word) {
       for (std::uint64_t left = starts[word]; left != 0; left &= left - 1) {
-        follow_start(task, word * 64 + std::countr_zero(left), first + y, worker,
-                     bands_[static_cast<std::size_t>(index)]);
+        follow_start(task, word * 64 + std::countr_zero(left), first + y, worker, band);
       }
     }
   }

@@ -68,7 +68,10 @@ class QuadSearch {
   void make_bitmaps(ImageView image, ContrastBand contrast, WorkShare& share, DetectStats& stats);
   void search(const Task& task, WorkShare& share, DetectStats& stats);
   void search_band(const Task& task, int index, Worker& worker);
+  void follow_starts(const Task& task, int first, int rows, std::size_t words, Worker& worker,
+                     Band& band);
   void follow_start(const Task& task, int x, int y, Worker& worker, Band& band);
+  void fit_band(const Task& task, std::size_t first, Worker& worker, Band& band);
   void show_outlines(DebugSink& debug) const;
 
   QuadKinds kinds_;
