@@ -10,6 +10,29 @@ std::string_view name_of(Stage stage) {
   return names[static_cast<std::size_t>(stage)];
 }
 
+bool belongs_to(Stage stage, Algorithm algorithm) {
+  switch (stage) {
+    case Stage::Preprocess:
+    case Stage::Decode:
+    case Stage::Reconcile:
+    case Stage::RefineTags:
+      return true;
+    case Stage::Threshold:
+    case Stage::Segment:
+    case Stage::Cluster:
+    case Stage::FitQuads:
+    case Stage::RefineEdges:
+      return algorithm == Algorithm::Paper;
+    case Stage::NoiseFloor:
+    case Stage::Bitmap:
+    case Stage::Starts:
+    case Stage::Track:
+    case Stage::FitEdges:
+      return algorithm == Algorithm::Tracker;
+  }
+  return false;
+}
+
 DetectStats& DetectStats::operator+=(const DetectStats& other) {
   components += other.components;
   boundary_points += other.boundary_points;

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <tbb/enumerable_thread_specific.h>
-
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -14,11 +11,7 @@
 #include "tagmint/detect/detector_options.h"
 #include "tagmint/detect/image.h"
 #include "tagmint/detect/image_view.h"
-#include "tracker/bit_plane.h"
-#include "tracker/t2_bitmap.h"
-#include "tracker/t4_track.h"
-#include "tracker/t5_corners.h"
-#include "tracker/t6_edges.h"
+#include "tracker/quad_search.h"
 #include "work_share.h"
 
 namespace tagmint::detect {
@@ -27,8 +20,12 @@ namespace tagmint::detect {
 /// one image to the next. Works on bits instead of labels and follows shapes instead of collecting
 /// boundary points (docs/detector.md).
 ///
-/// The picture is cut into bands of kBandRows rows. Bands are independent of each other, and there
-/// are as many of them however many threads share them, so the result depends on no thread.
+/// The noise of the picture sets the least contrast that is looked at. What is fainter is looked
+/// for once more in a picture half as large, which has half the noise.
+///
+/// Memory: for a picture of n pixels, n / 8 bytes of black bits, as many of white ones where a
+/// family has a reversed border, a quarter of that and n / 4 bytes for the half-size picture, and a
+/// few rows: at most 0.6 bytes a pixel.
 class TrackerPath {
  public:
   TrackerPath(const DetectorOptions& options, const QuadKinds& kinds);
@@ -38,37 +35,18 @@ class TrackerPath {
                                    DebugSink* debug);
 
  private:
-  /// What a thread needs for its share of the bands.
-  struct Worker {
-    BitmapScratch bitmap;
-    std::vector<std::uint64_t> starts;
-    VisitedBand visited;
-    Shape shape;
-    OutlineScratch corners;
-    DetectStats stats;
-  };
-
-  void make_bitmaps(ImageView working, ContrastBand band, WorkShare& share, DetectStats& stats);
-  void search(ImageView working, const BitPlane& plane, bool reversed, WorkShare& share,
-              DetectStats& stats);
-  void search_band(ImageView working, const BitPlane& plane, bool reversed, int band,
-                   Worker& worker);
-  void follow_start(ImageView working, const BitPlane& plane, bool reversed, int x, int y,
-                    Worker& worker, std::vector<Quad>& found);
+  void search_at(ImageView image, double scale, ContrastBand contrast, QuadSearch& search,
+                 WorkShare& share, DetectStats& stats, DebugSink* debug);
+  ImageView halved(ImageView image, WorkShare& share, DetectStats& stats);
 
   DetectorOptions options_;
-  QuadKinds kinds_;
   PreprocessOptions preprocess_options_;
-  CornerOptions corner_options_;
-  EdgeOptions edge_options_;
-
   PreprocessScratch preprocess_scratch_;
   Image preprocessed_;
-  BitPlane black_;
-  BitPlane white_;                             ///< only where a family has a reversed border
-  std::vector<std::vector<Quad>> band_quads_;  ///< working px
+  Image halved_;
+  QuadSearch whole_search_;
+  QuadSearch half_search_;
   std::vector<Quad> quads_;
-  tbb::enumerable_thread_specific<Worker> workers_;
 };
 
 }  // namespace tagmint::detect

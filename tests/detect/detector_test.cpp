@@ -245,7 +245,9 @@ TEST(Detector, NoiseHoldsNoTags) {
   FixedRandom random(17);
   const Image image = testing::to_gray(Canvas(320, 240, 128), 30, random);
   DetectStats stats;
-  EXPECT_TRUE(Detector({decoder_of(classic())}).detect(image, &stats).empty());
+  EXPECT_TRUE(Detector({decoder_of(classic())}).detect(image).empty());
+  Detector paper({decoder_of(classic())}, {.algorithm = Algorithm::Paper});
+  EXPECT_TRUE(paper.detect(image, &stats).empty());
   EXPECT_GT(stats.boundary_points, 0);
 }
 
@@ -294,7 +296,7 @@ TEST(Detector, TheDebugSinkTakesEachPictureOnceInOrder) {
   Recorder recorder;
   Detector detector({decoder_of(classic())}, {.decimate = 2});
   const auto found = detector.detect(scene.image, nullptr, &recorder);
-  EXPECT_EQ(recorder.calls, "ptscqrd");
+  EXPECT_EQ(recorder.calls, "ptcqrd");
   EXPECT_EQ(recorder.refined.size(), recorder.quads_seen);
   ASSERT_EQ(found.size(), 2u);
   // Refined quads are full-resolution: each detection's corners are among them.
@@ -303,6 +305,14 @@ TEST(Detector, TheDebugSinkTakesEachPictureOnceInOrder) {
         recorder.refined.begin(), recorder.refined.end(),
         [&](const Corners& c) { return std::find(c.begin(), c.end(), d.corners[0]) != c.end(); }));
   }
+}
+
+TEST(Detector, TheDebugSinkSeesTheComponentsOfThePapersPath) {
+  const Scene scene = grid_of({classic()}, 2, 1, 40);
+  Recorder recorder;
+  Detector detector({decoder_of(classic())}, {.algorithm = Algorithm::Paper, .decimate = 2});
+  detector.detect(scene.image, nullptr, &recorder);
+  EXPECT_EQ(recorder.calls, "ptscqrd");
 }
 
 TEST(Detector, OneQuadIsOneTagWhateverTheFamiliesLookedFor) {

@@ -71,7 +71,7 @@ int run(const DetectArguments& arguments, const Common& common) {
   });
   progress.clear();
   writer.finish();
-  if (arguments.stats) std::fputs(stats_text(stats).c_str(), stderr);
+  if (arguments.stats) std::fputs(stats_text(stats, plan.detector.algorithm).c_str(), stderr);
   if (unreadable) return kBadInput;
   return arguments.require && without_tags ? kAnswerIsNo : kDone;
 }
@@ -82,12 +82,23 @@ void add_search_options(CLI::App& app, DetectArguments& arguments) {
       ->type_name("FAMILY")
       ->allow_extra_args(false);
   add_decoder_options(app, arguments.decoding);
+  add_choice(app, "--algorithm", arguments.algorithm, {"tracker", "paper"}, "how quads are found");
   app.add_option("--decimate", arguments.detector.decimate, "look in an image X times smaller")
       ->type_name("X")
       ->check(number_between(1, 1000));
   app.add_option("--blur", arguments.detector.blur_sigma_px, "blur by S px; below 0: sharpen")
       ->type_name("S")
       ->check(number_between(-100, 100));
+  app.add_option("--min-side", arguments.detector.min_side_px,
+                 "no tag's border square is smaller in the image")
+      ->type_name("PX")
+      ->check(number_between(0, 1e6))
+      ->capture_default_str();
+  app.add_option("--min-contrast", arguments.detector.min_contrast,
+                 "no tag has less contrast, gray levels")
+      ->type_name("N")
+      ->check(number_between(0, 255))
+      ->capture_default_str();
   app.add_option("--min-margin", arguments.detector.min_decision_margin,
                  "drop tags of a lower decision margin")
       ->type_name("M")

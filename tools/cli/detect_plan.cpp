@@ -128,6 +128,8 @@ DetectPlan plan_detection(const DetectArguments& arguments) {
   plan.poses = plan_poses(arguments);
   plan.decoders = make_decoders(arguments);
   plan.detector = arguments.detector;
+  plan.detector.algorithm =
+      arguments.algorithm == "paper" ? detect::Algorithm::Paper : detect::Algorithm::Tracker;
   plan.detector.refine_edges = !arguments.no_refine;
   try {
     detect::Detector(plan.decoders, plan.detector);

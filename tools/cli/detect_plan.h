@@ -18,6 +18,7 @@ namespace tagmint::cli {
 struct DetectArguments {
   std::vector<std::string> families;
   std::string format;
+  std::string algorithm = "tracker";  ///< "tracker" or "paper"
   detect::DetectorOptions detector;
   DecoderArguments decoding;
   bool no_refine = false;

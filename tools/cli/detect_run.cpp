@@ -10,6 +10,7 @@
 #include <chrono>
 #include <numeric>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "draw/debug_writer.h"
@@ -22,6 +23,7 @@ namespace tagmint::cli {
 namespace {
 
 using detect::Detector;
+using detect::DetectStats;
 using Clock = std::chrono::steady_clock;
 
 Detector make_detector(const DetectPlan& plan, int threads) {
@@ -108,29 +110,62 @@ void run_detection(const DetectPlan& plan, int threads,
   for (const ImageTask& task : plan.tasks) take(detect_one(plan, task, detector));
 }
 
-std::string stats_text(const detect::DetectStats& stats) {
-  const std::pair<const char*, std::int64_t> counters[] = {
-      {"components", stats.components},
-      {"boundary points", stats.boundary_points},
-      {"clusters", stats.clusters},
-      {"  too large", stats.clusters_too_large},
-      {"  too small", stats.clusters_too_small},
-      {"  wrong border colour", stats.wrong_border_colour},
-      {"  no four corners", stats.no_corners},
-      {"  sides not straight", stats.bad_fit},
-      {"  shape not a tag's", stats.bad_shape},
-      {"quads", stats.quads},
-      {"  outside the image", stats.outside_image},
-      {"  no contrast", stats.no_contrast},
-      {"  no codeword", stats.no_codeword},
-      {"  low margin", stats.low_margin},
-      {"  duplicates", stats.duplicates},
-      {"detections", stats.detections},
-  };
+namespace {
+
+struct Counter {
+  const char* name;
+  std::int64_t DetectStats::*count;
+};
+
+constexpr Counter kPaperCounters[] = {
+    {"components", &DetectStats::components},
+    {"boundary points", &DetectStats::boundary_points},
+    {"clusters", &DetectStats::clusters},
+    {"  too large", &DetectStats::clusters_too_large},
+    {"  open", &DetectStats::clusters_open},
+    {"  too small", &DetectStats::clusters_too_small},
+    {"  wrong border colour", &DetectStats::wrong_border_colour},
+};
+constexpr Counter kTrackerCounters[] = {
+    {"starts", &DetectStats::starts},
+    {"  covered", &DetectStats::starts_covered},
+    {"  seen before", &DetectStats::starts_visited},
+    {"  not convex", &DetectStats::starts_not_convex},
+    {"shapes", &DetectStats::shapes},
+    {"  too small", &DetectStats::shapes_too_small},
+};
+constexpr Counter kCounters[] = {
+    {"  no four corners", &DetectStats::no_corners},
+    {"  sides not straight", &DetectStats::bad_fit},
+    {"  shape not a tag's", &DetectStats::bad_shape},
+    {"quads", &DetectStats::quads},
+    {"  outside the image", &DetectStats::outside_image},
+    {"  no contrast", &DetectStats::no_contrast},
+    {"  no codeword", &DetectStats::no_codeword},
+    {"  low margin", &DetectStats::low_margin},
+    {"  duplicates", &DetectStats::duplicates},
+    {"detections", &DetectStats::detections},
+};
+
+std::string counters_text(std::span<const Counter> counters, const DetectStats& stats) {
   std::string text;
-  for (const auto& [name, count] : counters) text += fmt::format("{:<24}{:>12}\n", name, count);
+  for (const Counter& counter : counters) {
+    text += fmt::format("{:<24}{:>12}\n", counter.name, stats.*counter.count);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string stats_text(const DetectStats& stats, detect::Algorithm algorithm) {
+  const bool paper = algorithm == detect::Algorithm::Paper;
+  std::string text =
+      paper ? counters_text(kPaperCounters, stats) : counters_text(kTrackerCounters, stats);
+  text += counters_text(kCounters, stats);
   for (int i = 0; i < detect::kStages; ++i) {
-    text += fmt::format("{:<24}{:>12.3f} ms\n", detect::name_of(static_cast<detect::Stage>(i)),
+    const auto stage = static_cast<detect::Stage>(i);
+    if (!detect::belongs_to(stage, algorithm)) continue;
+    text += fmt::format("{:<24}{:>12.3f} ms\n", detect::name_of(stage),
                         stats.stage_ms[static_cast<std::size_t>(i)]);
   }
   return text;

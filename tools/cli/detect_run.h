@@ -22,7 +22,7 @@ struct DetectOutcome {
 void run_detection(const DetectPlan& plan, int threads,
                    const std::function<void(DetectOutcome&&)>& take);
 
-/// Counters and stage times for people, one a line.
-std::string stats_text(const detect::DetectStats& stats);
+/// Counters and stage times of an algorithm for people, one a line.
+std::string stats_text(const detect::DetectStats& stats, detect::Algorithm algorithm);
 
 }  // namespace tagmint::cli

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <bit>
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 namespace tagmint::detect {
@@ -48,12 +50,19 @@ class BitPlane {
   std::vector<std::uint64_t> words_;
 };
 
-/// The 64 bits of a row from bit x on: bit i of the result is pixel x + i. -64 <= x.
+/// Bits of a row from bit x on: bit i of the result is pixel x + i, for i below kWindowBits; the
+/// others may be anything. -64 <= x.
+inline constexpr int kWindowBits = 57;
 inline std::uint64_t bits_from(const std::uint64_t* row, int x) {
-  const int word = x >> 6;
-  const int shift = x & 63;
-  // In two steps, since a shift by 64 is none.
-  return row[word] >> shift | row[word + 1] << 1 << (63 - shift);
+  if constexpr (std::endian::native == std::endian::little) {
+    std::uint64_t window;
+    std::memcpy(&window, reinterpret_cast<const unsigned char*>(row) + (x >> 3), sizeof window);
+    return window >> (x & 7);
+  } else {
+    const int shift = x & 63;
+    // In two steps, since a shift by 64 is none.
+    return row[x >> 6] >> shift | row[(x >> 6) + 1] << 1 << (63 - shift);
+  }
 }
 
 }  // namespace tagmint::detect

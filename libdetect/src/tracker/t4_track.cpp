@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <bit>
-#include <optional>
+#include <cstddef>
 
 namespace tagmint::detect {
 namespace {
@@ -16,28 +16,32 @@ constexpr int kRowsPerCheck = 4;
 constexpr int kMaxBend = 2;
 constexpr int kRowsPerBend = 32;
 
+/// Bits of a window, those that may be anything set to 0.
+constexpr std::uint64_t kWindow = (std::uint64_t{1} << kWindowBits) - 1;
+constexpr int kLastBit = kWindowBits - 1;
+
 /// First pixel of the run of black that x is in.
 int run_begin(const std::uint64_t* row, int x) {
   for (;;) {
-    const std::uint64_t white = ~bits_from(row, x - 63);  // bit 63 is x
-    if (white) return x - std::countl_zero(white) + 1;
-    x -= 64;  // left of the picture all is white
+    const std::uint64_t white = ~bits_from(row, x - kLastBit) & kWindow;  // the last bit is x
+    if (white) return x - (std::countl_zero(white) - (63 - kLastBit)) + 1;
+    x -= kWindowBits;  // left of the picture all is white
   }
 }
 
 /// Last pixel of the run of black that x is in.
 int run_end(const std::uint64_t* row, int x) {
   for (;;) {
-    const std::uint64_t white = ~bits_from(row, x);
+    const std::uint64_t white = ~bits_from(row, x) & kWindow;
     if (white) return x + std::countr_zero(white) - 1;
-    x += 64;  // the plane's last bits are white
+    x += kWindowBits;  // the plane's last bits are white
   }
 }
 
 /// Next black pixel to the right of x, at most `last`; last + 1 where there is none.
 int next_black(const std::uint64_t* row, int x, int last) {
-  for (int at = x + 1; at <= last; at += 64) {
-    const std::uint64_t black = bits_from(row, at);
+  for (int at = x + 1; at <= last; at += kWindowBits) {
+    const std::uint64_t black = bits_from(row, at) & kWindow;
     if (black) return std::min(at + std::countr_zero(black), last + 1);
   }
   return last + 1;
@@ -45,47 +49,46 @@ int next_black(const std::uint64_t* row, int x, int last) {
 
 /// Next black pixel to the left of x, at least `first`; first - 1 where there is none.
 int previous_black(const std::uint64_t* row, int x, int first) {
-  for (int at = x - 1; at >= first; at -= 64) {
-    const std::uint64_t black = bits_from(row, at - 63);
-    if (black) return std::max(at - std::countl_zero(black), first - 1);
+  for (int at = x - 1; at >= first; at -= kWindowBits) {
+    const std::uint64_t black = bits_from(row, at - kLastBit) & kWindow;
+    if (black) return std::max(at - (std::countl_zero(black) - (63 - kLastBit)), first - 1);
   }
   return first - 1;
 }
 
-// A step of either side looks at one window of 64 bits with the pixel below in its middle; only
-// steps of half a window or more go on from there.
-constexpr int kMiddle = 32;
+// A step of either side looks at one window with the pixel below in its middle; only steps of half
+// a window or more go on from there.
+constexpr int kMiddle = kWindowBits / 2;
 
-/// The left side in `row`, the row below `before`, where it is at `left`; nothing where it ends.
+/// Where a side would be that has ended.
+constexpr int kEnded = -1;
+
+/// The left side in `row`, the row below `before`, where it is at `left`.
 ///   right   the right side in `before`
-std::optional<int> step_left(const std::uint64_t* before, const std::uint64_t* row, int left,
-                             int right) {
+int step_left(const std::uint64_t* before, const std::uint64_t* row, int left, int right) {
   const std::uint64_t window = bits_from(row, left - kMiddle);
   if (window >> kMiddle & 1) {
     const int run = std::countl_one(window << (63 - kMiddle));
     return run <= kMiddle ? left - run + 1 : run_begin(row, left - kMiddle);
   }
-  const std::uint64_t run = bits_from(before, left);
-  const int end = run + 1 != 0 ? left + std::countr_one(run) - 1 : run_end(before, left);
-  const int last = std::min(right, end + kMaxGap);
+  if (window >> (kMiddle - 1) & 1) return run_begin(row, left - 1);
+  const int last = std::min(right, run_end(before, left) + kMaxGap);
   const int next = next_black(row, left, last);
-  return next <= last ? std::optional(next) : std::nullopt;
+  return next <= last ? next : kEnded;
 }
 
 /// The right side, as step_left().
 ///   left   the left side in `row`
-std::optional<int> step_right(const std::uint64_t* before, const std::uint64_t* row, int left,
-                              int right) {
+int step_right(const std::uint64_t* before, const std::uint64_t* row, int left, int right) {
   const std::uint64_t window = bits_from(row, right - kMiddle);
   if (window >> kMiddle & 1) {
     const int run = std::countr_one(window >> kMiddle);
     return run < kMiddle ? right + run - 1 : run_end(row, right + kMiddle - 1);
   }
-  const std::uint64_t run = bits_from(before, right - 63);
-  const int begin = run + 1 != 0 ? right - std::countl_one(run) + 1 : run_begin(before, right);
-  const int first = std::max(left, begin - kMaxGap);
+  if (window >> (kMiddle + 1) & 1) return run_end(row, right + 1);
+  const int first = std::max(left, run_begin(before, right) - kMaxGap);
   const int next = previous_black(row, right, first);
-  return next >= first ? std::optional(next) : std::nullopt;
+  return next >= first ? next : kEnded;
 }
 
 /// Whether a side goes out, then in, each time with some tolerance. Works for the right side; the
@@ -126,6 +129,28 @@ bool bends_inwards(const std::int32_t* lefts, const std::int32_t* rights, int n)
          rights[0] + rights[2 * n] - 2 * rights[n] > most;
 }
 
+/// Marks a pixel of a row; whether it was marked before.
+bool visit(std::uint64_t* row, int x) {
+  const std::uint64_t bit = std::uint64_t{1} << (x & 63);
+  const std::uint64_t word = row[x >> 6];
+  row[x >> 6] = word | bit;
+  return word & bit;
+}
+
+void measure(int top, int height, Shape& shape) {
+  shape.top = top;
+  shape.height = height;
+  shape.left_most = shape.left[0];
+  shape.right_most = shape.right[0];
+  std::int64_t area = height;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(height); ++i) {
+    shape.left_most = std::min(shape.left_most, shape.left[i]);
+    shape.right_most = std::max(shape.right_most, shape.right[i]);
+    area += shape.right[i] - shape.left[i];
+  }
+  shape.area = area;
+}
+
 }  // namespace
 
 TrackOutcome track_shape(const BitPlane& black, int x, int y, VisitedBand& visited, Shape& shape) {
@@ -135,17 +160,20 @@ TrackOutcome track_shape(const BitPlane& black, int x, int y, VisitedBand& visit
   if (is_covered(black.row(y - 1), left, right)) return TrackOutcome::Covered;
   const std::size_t stride = black.stride();
   const int rows_left = black.height() - y;
+  const int rows_minded = visited.rows_from(y);
+  std::uint64_t* visited_row = visited.row(y);
   std::int32_t* const lefts = shape.left.data();
   std::int32_t* const rights = shape.right.data();
   Turn left_turn(-left);
   Turn right_turn(right);
-  std::int64_t area = 0;
   int height = 0;
   for (;;) {
-    if (visited.visit(left, y + height)) return TrackOutcome::Visited;
+    if (height < rows_minded) {
+      if (visit(visited_row, left)) return TrackOutcome::Visited;
+      visited_row += visited.stride();
+    }
     lefts[height] = left;
     rights[height] = right;
-    area += right - left + 1;
     if (height % kRowsPerCheck == 0 && height > 0) {
       if (!left_turn.goes_on(-left) || !right_turn.goes_on(right) ||
           bends_inwards(lefts, rights, height / 2)) {
@@ -156,18 +184,12 @@ TrackOutcome track_shape(const BitPlane& black, int x, int y, VisitedBand& visit
     if (height == rows_left) break;
     const std::uint64_t* const before = row;
     row += stride;
-    const std::optional<int> next_left = step_left(before, row, left, right);
-    if (!next_left) break;
-    const std::optional<int> next_right = step_right(before, row, *next_left, right);
-    if (!next_right) break;
-    left = *next_left;
-    right = *next_right;
+    left = step_left(before, row, left, right);
+    if (left == kEnded) break;
+    right = step_right(before, row, left, right);
+    if (right == kEnded) break;
   }
-  shape.top = y;
-  shape.height = height;
-  shape.left_most = *std::min_element(lefts, lefts + height);
-  shape.right_most = *std::max_element(rights, rights + height);
-  shape.area = area;
+  measure(y, height, shape);
   return TrackOutcome::Done;
 }
 

@@ -28,14 +28,12 @@ class VisitedBand {
     stride_ = (static_cast<std::size_t>(width) + 63) / 64;
     bits_.assign(stride_ * static_cast<std::size_t>(end - first), 0);
   }
-  /// Marks a pixel; whether it was marked before. Outside the band nothing is.
-  bool visit(int x, int y) {
-    if (y >= end_) return false;
-    std::uint64_t& word = bits_[stride_ * static_cast<std::size_t>(y - first_) + (x >> 6)];
-    const std::uint64_t bit = std::uint64_t{1} << (x & 63);
-    const bool known = word & bit;
-    word |= bit;
-    return known;
+  /// Rows from y on that are minded.
+  int rows_from(int y) const { return end_ - y; }
+  /// Words from one row to the next.
+  std::size_t stride() const { return stride_; }
+  std::uint64_t* row(int y) {
+    return bits_.data() + stride_ * static_cast<std::size_t>(y - first_);
   }
 
  private:
@@ -61,7 +59,7 @@ enum class TrackOutcome {
 /// there, which is what makes texture cheap. Gaps of kMaxGap px in the lower edge are tolerated.
 ///   black     white is zero, also around the picture
 ///   x, y      a pixel of the run
-///   visited   marks and minds the left sides
+///   visited   marks and minds the left sides; y is one of its rows
 ///   shape     gets the result when Done; its vectors are as long as the picture is high
 ///   cost      about 4 ns a row
 ///   source    the idea is that of a throw-away prototype of this project

@@ -16,6 +16,13 @@ constexpr float kMinCornerPx = 1.6f;
 /// for each point of the outline (each is off by up to half a pixel).
 constexpr double kAreaShare = 0.10;
 constexpr double kAreaPerPoint = 0.25;
+/// Points that a side needs for its line to be that of their means.
+constexpr int kMinMeanPoints = 6;
+/// The meeting of two such lines is a corner if the sine of their angle is at least this, and if it
+/// is this near to the extreme point: px, and a share of the shorter half side.
+constexpr double kMinCornerSine = 0.1;
+constexpr double kMaxShiftPx = 2.5;
+constexpr double kMaxShiftShare = 0.15;
 /// Points of the outline may lie this far from their side: px, and a share of its length, since a
 /// corner's extreme point may be at the other end of a nearly level run than the corner, and lenses
 /// bend long sides.
@@ -94,8 +101,11 @@ class Outline {
   float* y_;
 };
 
+/// Coordinates are far from any overflow of their squares.
+float length_of(float x, float y) { return std::sqrt(x * x + y * y); }
+
 float distance_between(const Outline& o, int i, int k) {
-  return std::hypot(o.x(k) - o.x(i), o.y(k) - o.y(i));
+  return length_of(o.x(k) - o.x(i), o.y(k) - o.y(i));
 }
 
 /// Points farthest on both sides of the line from i to k; distances in px.
@@ -108,6 +118,17 @@ FarthestBothSides beside_line(const Outline& o, int i, int k) {
 }
 
 using FourPoints = std::array<int, 4>;
+
+/// Moves each corner to the point farthest outside the line through its neighbours. Where a side is
+/// parallel to a line that a corner was taken farthest from, any point of the side may have been.
+FourPoints moved_outwards(const Outline& o, FourPoints corners) {
+  for (std::size_t i = 0; i < 4; ++i) {
+    // The outline runs clockwise: its outside is on the left of a step backwards.
+    corners[i] = beside_line(o, corners[(i + 3) % 4], corners[(i + 1) % 4]).left;
+  }
+  std::sort(corners.begin(), corners.end());
+  return corners;
+}
 
 /// Indices of four corners in the outline's order; nothing where it has none.
 std::optional<FourPoints> extreme_points(const Outline& o, float middle_x, float middle_y) {
@@ -130,23 +151,76 @@ std::optional<FourPoints> extreme_points(const Outline& o, float middle_x, float
     if (std::max(beyond_a, beyond_b) <= least) return std::nullopt;
     const FarthestBothSides& farther = beyond_a > beyond_b ? a : b;
     corners = {first, second, third, right ? farther.right : farther.left};
+    std::sort(corners.begin(), corners.end());
+    corners = moved_outwards(o, corners);
   }
   std::sort(corners.begin(), corners.end());
   if (std::adjacent_find(corners.begin(), corners.end()) != corners.end()) return std::nullopt;
   return corners;
 }
 
-/// Whether all points between two corners are near the line through them.
-bool is_straight(const Outline& o, int begin, int end) {
-  const float ex = o.x(end) - o.x(begin);
-  const float ey = o.y(end) - o.y(begin);
-  const float length = std::hypot(ex, ey);
+/// A side's line, through two places far from each other. Relative to the outline's origin.
+struct SideLine {
+  Point from;
+  Point to;
+};
+
+/// Mean of `count` points of the outline from `first` on, which may wrap.
+Point mean_point(const Outline& o, int first, int count) {
+  Point sum;
+  for (int i = 0; i < count; ++i) {
+    const int k = first + i < o.size() ? first + i : first + i - o.size();
+    sum = sum + Point{o.x(k), o.y(k)};
+  }
+  return (1.0 / count) * sum;
+}
+
+/// The line between two corners: through the means of the points of its first and its second half,
+/// where it has enough of them (a level side has hardly any). Corners are rounded by blur, or end
+/// in a speck, so the points next to them stay out.
+SideLine line_between(const Outline& o, int begin, int end) {
+  const int points = (end - begin + o.size()) % o.size();
+  if (points < kMinMeanPoints) {
+    return {{o.x(begin), o.y(begin)}, {o.x(end), o.y(end)}};
+  }
+  const int margin = 1 + points / 8;
+  const int half = (points - 2 * margin) / 2;
+  const auto wrapped = [&](int i) { return i < o.size() ? i : i - o.size(); };
+  return {mean_point(o, wrapped(begin + margin), half),
+          mean_point(o, wrapped(begin + margin + half), half)};
+}
+
+/// Where two sides meet, if that is near the extreme point that parts them; else that point.
+Point corner_of(const SideLine& before, const SideLine& after, Point extreme) {
+  const Point u = before.to - before.from;
+  const Point v = after.to - after.from;
+  const double area = cross(u, v);
+  if (std::abs(area) < kMinCornerSine * std::sqrt(dot(u, u) * dot(v, v))) return extreme;
+  const Point meeting = before.from + (cross(after.from - before.from, v) / area) * u;
+  const Point shift = meeting - extreme;
+  const double most = kMaxShiftPx + kMaxShiftShare * std::sqrt(std::min(dot(u, u), dot(v, v)));
+  return dot(shift, shift) <= most * most ? meeting : extreme;
+}
+
+/// Whether the points between two corners are near the line between the corners' places, but for
+/// those next to an extreme point: the corner may be on either side of it. Relative to the
+/// outline's origin.
+bool is_straight(const Outline& o, int begin, int end, Point from, Point to) {
+  const auto ax = static_cast<float>(from.x);
+  const auto ay = static_cast<float>(from.y);
+  const auto ex = static_cast<float>(to.x - from.x);
+  const auto ey = static_cast<float>(to.y - from.y);
+  const float length = length_of(ex, ey);
   const float most = length * (kMaxDeviationPx + kMaxDeviationShare * length);
   const auto near = [&](int first, int count) {
-    return all_near_line(o.part(first, count), o.x(begin), o.y(begin), ex, ey, most);
+    return count <= 0 || all_near_line(o.part(first, count), ax, ay, ex, ey, most);
   };
-  if (begin < end) return near(begin, end - begin);
-  return near(begin, o.size() - begin) && (end == 0 || near(0, end));
+  const int points = (end - begin + o.size()) % o.size();
+  const int margin = 1 + points / 8;
+  const int first = begin + margin;
+  const int last = begin + points - margin;  // one behind
+  return near(first, std::min(last, o.size()) - first) &&
+         near(std::max(first, o.size()) - o.size(), last - std::max(first, o.size()));
 }
 
 }  // namespace
@@ -164,23 +238,31 @@ CornerResult find_corners(const Shape& shape, const CornerOptions& options,
   const std::optional<FourPoints> points = extreme_points(outline, 0.5f * static_cast<float>(width),
                                                           0.5f * static_cast<float>(shape.height));
   if (!points) return {{}, CornerOutcome::NoCorners};
-  Corners corners;
+  // The outline runs clockwise.
+  std::array<SideLine, 4> lines;  // from corner i to the next one
   for (std::size_t i = 0; i < 4; ++i) {
-    // The outline runs clockwise.
-    const Point at =
-        outline.corner_near((*points)[i], (*points)[(i + 3) % 4], (*points)[(i + 1) % 4]);
-    corners[3 - i] =
-        at + Point{static_cast<double>(shape.left_most), static_cast<double>(shape.top)};
+    lines[i] = line_between(outline, (*points)[i], (*points)[(i + 1) % 4]);
   }
-  const double off = std::abs(-signed_area(corners) - area);
+  Corners clockwise;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::size_t before = (i + 3) % 4;
+    const Point extreme =
+        outline.corner_near((*points)[i], (*points)[before], (*points)[(i + 1) % 4]);
+    clockwise[i] = corner_of(lines[before], lines[i], extreme);
+  }
+  const double off = std::abs(signed_area(clockwise) - area);
   if (off > kAreaShare * area + kAreaPerPoint * 2 * shape.height) {
     return {{}, CornerOutcome::WrongArea};
   }
   for (std::size_t i = 0; i < 4; ++i) {
-    if (!is_straight(outline, (*points)[i], (*points)[(i + 1) % 4])) {
+    if (!is_straight(outline, (*points)[i], (*points)[(i + 1) % 4], clockwise[i],
+                     clockwise[(i + 1) % 4])) {
       return {{}, CornerOutcome::NotStraight};
     }
   }
+  Corners corners;
+  const Point origin{static_cast<double>(shape.left_most), static_cast<double>(shape.top)};
+  for (std::size_t i = 0; i < 4; ++i) corners[3 - i] = clockwise[i] + origin;
   return {corners, {}};
 }
 

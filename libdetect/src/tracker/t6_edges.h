@@ -9,12 +9,11 @@ namespace tagmint::detect {
 
 /// Stage T6: corners from the bitmap -> sides that follow the gray values.
 struct EdgeOptions {
-  double min_side_px = 5;      ///< quads with a smaller mean side are refused, px of the image
-  double cells_at_border = 0;  ///< the widest border square looked for; 0 = not known
+  double min_side_px = 5;  ///< quads with a smaller mean side are refused, px of the image
 };
 
-/// Fits each side again. At most kMaxEdgeScans scan lines cross a side along rows or columns of the
-/// image, whichever crosses it more squarely. Each reads kScanPixels pixels, without interpolation;
+/// Fits each side again. At most kMaxEdgeScans = 32 scan lines cross a side along rows or columns
+/// of the image, whichever crosses it more squarely. Each reads 8 pixels, without interpolation;
 /// the side's gray level is half-way between the mean of their darkest and the mean of their
 /// brightest, and the place where a scan line passes it, nearest to the side, is a point of the
 /// edge. A regression over these places, and a second one that lets go of outliers, gives the
@@ -25,8 +24,5 @@ struct EdgeOptions {
 ///   cost     8 pixels for each of at most 32 scan lines a side; integer sums, so that the result
 ///            depends on nothing else
 std::optional<Quad> fit_edges(ImageView image, const Quad& quad, const EdgeOptions& options);
-
-inline constexpr int kMaxEdgeScans = 32;
-inline constexpr int kScanPixels = 8;
 
 }  // namespace tagmint::detect

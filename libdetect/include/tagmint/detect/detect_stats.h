@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "tagmint/detect/detector_options.h"
+
 namespace tagmint::detect {
 
 /// The stages of both paths, in order. Preprocess, Decode and Reconcile belong to both.
@@ -19,7 +21,7 @@ enum class Stage {
   NoiseFloor,
   Bitmap,
   Starts,
-  Track,  ///< following shapes and finding their corners
+  Track,  ///< following shapes, and their corners
   FitEdges,
   // Both
   Decode,
@@ -28,6 +30,8 @@ enum class Stage {
 };
 inline constexpr int kStages = 14;
 std::string_view name_of(Stage stage);
+/// Whether an algorithm has the stage.
+bool belongs_to(Stage stage, Algorithm algorithm);
 
 /// What happened while one image went through, and why candidates fell away.
 struct DetectStats {

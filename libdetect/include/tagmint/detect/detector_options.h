@@ -15,7 +15,7 @@ enum class Algorithm {
 /// Settings of a Detector, by stage. Defaults suit a noisy camera; figures without a source are the
 /// reference detector's documented ones.
 struct DetectorOptions {
-  Algorithm algorithm = Algorithm::Paper;
+  Algorithm algorithm = Algorithm::Tracker;
 
   // Stage 1, preprocessing.
   double decimate = 1.0;  ///< >= 1; quads are looked for in an image this many times smaller
@@ -45,8 +45,8 @@ struct DetectorOptions {
   // After stage 8, tags.
   /// Find the corners of each tag again from all edges that its word draws, with their covariance.
   bool refine_photometric = true;
-  /// The camera, where its lens distorts: the photometric step then follows sides that are curved in
-  /// the picture. Detections stay in the picture's own pixels.
+  /// The camera, where its lens distorts: the photometric step then follows sides that are curved
+  /// in the picture. Detections stay in the picture's own pixels.
   std::optional<Camera> lens = {};
 
   int threads = 1;  ///< that share the quad fits and decodes of one image; 0 = all cores. The
