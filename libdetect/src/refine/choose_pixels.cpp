@@ -1,6 +1,7 @@
 #include "refine/choose_pixels.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "refine/edge_profile.h"
@@ -19,7 +20,7 @@ namespace tagmint::detect {
 
 /// Where a pixel gets its full weight although cells of unknown colour reach into it: the share of
 /// it that they take is this at half the weight.
-inline constexpr float kUnknownShare = 0.05F;
+inline constexpr float kUnknownShare = 0.04F;
 
 /// Numbers that a row needs, as the kernels use them.
 struct RowChoice {
@@ -112,8 +113,10 @@ HWY_ATTR std::size_t choose_in_row(const RowChoice& c, const RowPixels& row,
     const V uy = hn::Mul(w, hn::Sub(set(g[1]), hn::Mul(u, set(g[7]))));
     const V vx = hn::Mul(w, hn::Sub(set(g[3]), hn::Mul(v, set(g[6]))));
     const V vy = hn::Mul(w, hn::Sub(set(g[4]), hn::Mul(v, set(g[7]))));
-    const V across_x = hn::Div(set(c.scale), hn::Sqrt(mul_add(ux, ux, hn::Mul(uy, uy))));
-    const V across_y = hn::Div(set(c.scale), hn::Sqrt(mul_add(vx, vx, hn::Mul(vy, vy))));
+    const V per_u = hn::Div(one, hn::Sqrt(mul_add(ux, ux, hn::Mul(uy, uy))));
+    const V per_v = hn::Div(one, hn::Sqrt(mul_add(vx, vx, hn::Mul(vy, vy))));
+    const V across_x = hn::Mul(set(c.scale), per_u);
+    const V across_y = hn::Mul(set(c.scale), per_v);
     const V left = hn::Mul(in_x, across_x);
     const V right = hn::Sub(across_x, left);
     const V up = hn::Mul(in_y, across_y);
@@ -135,15 +138,28 @@ HWY_ATTR std::size_t choose_in_row(const RowChoice& c, const RowPixels& row,
                             set(1 / kUnknownShare));
     const V weight = hn::Div(one, mul_add(share, share, one));
 
-    const std::size_t at = pixels.size() + chosen;
-    hn::CompressStore(x, wanted, d, pixels.x.data() + at);
-    hn::CompressStore(cell_x, wanted, d, pixels.cell_x.data() + at);
-    hn::CompressStore(cell_y, wanted, d, pixels.cell_y.data() + at);
-    hn::CompressStore(across_x, wanted, d, pixels.across_x.data() + at);
-    hn::CompressStore(across_y, wanted, d, pixels.across_y.data() + at);
-    hn::CompressStore(weight, wanted, d, pixels.weight.data() + at);
-    hn::CompressStore(column, hn::RebindMask(di, wanted), di, columns + chosen);
-    chosen += hn::CountTrue(d, wanted);
+    const V cosine = hn::Mul(hn::Mul(per_u, per_v), mul_add(ux, vx, hn::Mul(uy, vy)));
+
+    alignas(32) float values[6][kPixelBlock];
+    const V fields[6] = {x, cell_x, cell_y, across_x, across_y, cosine};
+    for (int field = 0; field < 6; ++field) hn::Store(fields[field], d, values[field]);
+    alignas(32) float weights[kPixelBlock];
+    hn::Store(weight, d, weights);
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(d, wanted, bits);
+    for (unsigned rest = bits[0]; rest != 0; rest &= rest - 1) {
+      const int lane = std::countr_zero(rest);
+      const std::size_t at = pixels.size() + chosen;
+      pixels.x[at] = values[0][lane];
+      pixels.cell_x[at] = values[1][lane];
+      pixels.cell_y[at] = values[2][lane];
+      pixels.across_x[at] = values[3][lane];
+      pixels.across_y[at] = values[4][lane];
+      pixels.cosine[at] = values[5][lane];
+      pixels.weight[at] = weights[lane];
+      columns[chosen] = row.x0 + (k + lane) * row.step;
+      ++chosen;
+    }
   }
   return chosen;
 }
@@ -274,8 +290,11 @@ bool choose_pixel(const TagPattern& pattern, const PixelChoice& choice, Point at
   pixel.cell_x = static_cast<int>(u);
   pixel.cell_y = static_cast<int>(v);
   const double scale = choice.frame.scale_px / (w * ideal_px_per_px);
-  pixel.across_x = scale / std::hypot(g[0] - u * g[6], g[1] - u * g[7]);
-  pixel.across_y = scale / std::hypot(g[3] - v * g[6], g[4] - v * g[7]);
+  const Point across_u{g[0] - u * g[6], g[1] - u * g[7]};
+  const Point across_v{g[3] - v * g[6], g[4] - v * g[7]};
+  pixel.across_x = scale / length(across_u);
+  pixel.across_y = scale / length(across_v);
+  pixel.cosine = dot(across_u, across_v) / (length(across_u) * length(across_v));
   const double in_x = u - pixel.cell_x;
   const double in_y = v - pixel.cell_y;
   const std::array<double, 4> sides = {in_x * pixel.across_x, (1 - in_x) * pixel.across_x,

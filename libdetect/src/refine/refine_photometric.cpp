@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numerics/bilinear.h"
 #include "refine/corner_map.h"
+#include "tagmint/detect/homography.h"
 
 namespace tagmint::detect {
 namespace {
@@ -23,6 +25,10 @@ constexpr double kLargestSpread_px = 20;
 constexpr double kLogSpreadPrior = 0.5;
 constexpr double kLightPrior = 0.5;
 constexpr double kTonePrior = 0.4;
+/// Lenses have longer tails than the normal density, and the mean of sharp pictures is about this.
+constexpr double kFirstTails = 0.3;
+constexpr double kTailsPrior = 0.4;
+constexpr double kLeastTails = -0.3, kMostTails = 1.5;
 /// Of one step.
 constexpr double kMaxLogSpreadStep = 0.5;
 /// |tone| < 1 keeps the curve rising.
@@ -45,11 +51,45 @@ constexpr double kWideSpread_px = 0.95;
 constexpr double kReachShare = 0.36;
 /// Fewer pixels than this, times the parameters, are too few.
 constexpr std::size_t kLeastPixelsEach = 3;
+/// A sum of squared residuals over some of the pixels may be larger by this many variances where both
+/// places are equally good.
+constexpr double kChance = 8;
 /// Steps over all pixels end when no corner moves by more, px.
 constexpr double kStill_px = 0.02;
 constexpr int kMaxFullSteps = 5;
 
 double spread_px(const PhotometricParameters& p) { return std::exp(p.log_spread); }
+
+/// Mean gray of the black and of the white ring at the border square.
+struct Levels {
+  double black = 0;
+  double white = 0;
+
+  bool apart() const { return white > black; }
+  /// Twice the brightness that is nearest.
+  int brightness(double gray) const {
+    const double share = (gray - black) / (white - black);
+    return static_cast<int>(std::lround(2 * std::clamp(share, 0.0, 1.0)));
+  }
+};
+
+template <typename Gray>
+Levels ring_levels(const TagPattern& pattern, const Gray& gray) {
+  std::array<double, 3> sum{};  // by brightness
+  std::array<int, 3> count{};
+  for (const int ring : {pattern.border_begin() - 1, pattern.border_begin()}) {
+    const int last = pattern.width() - 1 - ring;
+    const auto add = [&](int x, int y) {
+      if (const std::optional<double> value = gray(x, y)) {
+        sum[pattern.brightness(x, y)] += *value;
+        ++count[pattern.brightness(x, y)];
+      }
+    };
+    for (int i = ring; i < last; i += 2) add(i, ring), add(last, i), add(i, last), add(ring, i);
+  }
+  if (count[0] == 0 || count[2] == 0) return {};
+  return {sum[0] / count[0], sum[2] / count[2]};
+}
 
 /// The state of one fit.
 class Fit {
@@ -62,6 +102,7 @@ class Fit {
 
  private:
   bool begin(const Corners& corners);
+  void guess_unknown_cells();
   bool choose(double near_px);
   bool first_step();
   bool step(std::size_t block_step);
@@ -116,7 +157,33 @@ bool Fit::begin(const Corners& corners) {
   parameters_ = {};
   parameters_.to_cells = *map;
   parameters_.log_spread = std::log(kFirstSpread_px);
+  parameters_.tails = kFirstTails;
   return true;
+}
+
+/// Cells around the tag, and those that it leaves open, have the colour that the picture shows in
+/// their middle, rounded to black, gray or white: paper goes on, but nobody promised it.
+void Fit::guess_unknown_cells() {
+  TagPattern& pattern = scratch_.pattern;
+  const auto& g = parameters_.to_cells;
+  const std::optional<Homography> from_cells =
+      Homography({g[0], g[1], g[2], g[3], g[4], g[5], g[6], g[7], 1}).inverse();
+  if (!from_cells) return;
+  const auto gray = [&](int x, int y) {
+    const Point place = frame_.to_px(from_cells->project({x + 0.5, y + 0.5}));
+    return sample_bilinear(image_, to_image_px(options_.lens, place));
+  };
+  const Levels levels = ring_levels(pattern, gray);
+  if (!levels.apart()) return;
+  const int width = pattern.width();
+  for (int y = -1; y <= width; ++y) {
+    for (int x = -1; x <= width; ++x) {
+      if (pattern.is_known(x, y)) continue;
+      if (const std::optional<double> value = gray(x, y)) {
+        pattern.guess(x, y, levels.brightness(*value));
+      }
+    }
+  }
 }
 
 /// Fills the list of pixels; false when they are too few.
@@ -166,6 +233,7 @@ bool Fit::solve(const PhotometricSums& sums) {
   prior(kLogSpread, std::log(kFirstSpread_px) - parameters_.log_spread, kLogSpreadPrior);
   prior(kLightX, -parameters_.light_x, kLightPrior);
   prior(kLightY, -parameters_.light_y, kLightPrior);
+  prior(kTails, kFirstTails - parameters_.tails, kTailsPrior);
   prior(kTone, -parameters_.tone, kTonePrior);
   factor_.compute(normal);
   if (factor_.info() != Eigen::Success) return false;
@@ -181,6 +249,7 @@ void Fit::move(const Vector& step) {
   parameters_ = moved(parameters_, limited);
   parameters_.log_spread = std::clamp(parameters_.log_spread, std::log(kLeastSpread_px),
                                       std::log(kLargestSpread_px));
+  parameters_.tails = std::clamp(parameters_.tails, kLeastTails, kMostTails);
   parameters_.tone = std::clamp(parameters_.tone, -kMaxTone, kMaxTone);
   const std::optional<Corners> after = ideal_corners();
   moved_px_ = 1e9;
@@ -236,7 +305,8 @@ bool Fit::small_step() {
 bool Fit::agrees_better(const std::array<double, 8>& before) const {
   PhotometricParameters old = parameters_;
   old.to_cells = before;
-  return sums(parameters_, few(), false).squared <= sums(old, few(), false).squared;
+  return sums(parameters_, few(), false).squared <=
+         sums(old, few(), false).squared + kChance * variance_;
 }
 
 std::optional<PhotometricFit> Fit::result(const Corners& corners) const {
@@ -251,9 +321,12 @@ std::optional<PhotometricFit> Fit::result(const Corners& corners) const {
   }
   const Matrix8 jacobian = lens_jacobian(options_.lens, *ideal) *
                            corner_jacobian(parameters_.to_cells, frame_, *ideal, scratch_.pattern);
-  const Normal inverse = factor_.solve(Normal::Identity());
-  const Matrix8 covariance =
-      variance_ * (jacobian * inverse.topLeftCorner<8, 8>() * jacobian.transpose());
+  // With normal = L L^T, J normal^-1 J^T is X^T X for X = L^-1 J^T.
+  Eigen::Matrix<double, kPhotometricParameters, 8> x =
+      Eigen::Matrix<double, kPhotometricParameters, 8>::Zero();
+  x.topRows<8>() = jacobian.transpose();
+  factor_.matrixL().solveInPlace(x);
+  const Matrix8 covariance = variance_ * (x.transpose() * x);
   for (int a = 0; a < 8; ++a) {
     for (int b = 0; b < 8; ++b) fit.covariance[a * 8 + b] = covariance(a, b);
   }
@@ -264,12 +337,15 @@ std::optional<PhotometricFit> Fit::result(const Corners& corners) const {
 
 std::optional<PhotometricFit> Fit::run(const codec::Family& family, codec::TagId id,
                                        const Corners& corners) {
-  scratch_.pattern.assign(family, id, 1);
-  if (!begin(corners) || !choose(kNearSpreads * kFirstSpread_px)) return std::nullopt;
+  scratch_.pattern.begin(family, id);
+  if (!begin(corners)) return std::nullopt;
+  guess_unknown_cells();
+  scratch_.pattern.finish(1);
+  if (!choose(kNearSpreads * kFirstSpread_px)) return std::nullopt;
   const std::array<double, 8> before = parameters_.to_cells;
   if (!first_step() || !step(few()) || !step(few())) return std::nullopt;
   const bool far = spread_px(parameters_) > kReachShare * cell_px_;
-  if (far) scratch_.pattern.assign(family, id, kMaxCellReach);
+  if (far) scratch_.pattern.finish(kMaxCellReach);
   if (far || spread_px(parameters_) > kWideSpread_px) {
     if (!choose(kNearSpreads * spread_px(parameters_))) return std::nullopt;
   }

@@ -1,42 +1,54 @@
 #include "refine/tag_pattern.h"
 
-#include "tagmint/codec/tag_cells.h"
+#include <algorithm>
 
 namespace tagmint::detect {
 namespace {
 
-constexpr int kUnknownBrightness = 1;
+constexpr std::int8_t kHalfBright = 1;
+constexpr std::int8_t kWhite = 2;
 
 }  // namespace
 
 int TagPattern::brightness(int x, int y) const {
-  if (x < 0 || y < 0 || x >= width_ || y >= width_) return kUnknownBrightness;
-  return brightness_[index(x, y)];
+  x = std::clamp(x, -1, width_);
+  y = std::clamp(y, -1, width_);
+  return brightness_[(y + 1) * (width_ + 2) + x + 1];
 }
 
-void TagPattern::assign(const codec::Family& family, codec::TagId id, int reach) {
+void TagPattern::guess(int x, int y, int brightness) {
+  brightness_[(y + 1) * (width_ + 2) + x + 1] = static_cast<std::int8_t>(brightness);
+}
+
+void TagPattern::begin(const codec::Family& family, codec::TagId id) {
   const codec::Layout& layout = family.layout();
-  reach_ = reach;
   width_ = layout.width();
   border_begin_ = layout.border_offset();
   border_end_ = border_begin_ + layout.width_at_border();
   const auto cells = static_cast<std::size_t>(width_) * width_;
-  brightness_.resize(cells);
+  brightness_.assign(static_cast<std::size_t>(width_ + 2) * (width_ + 2), kHalfBright);
+  known_.assign(cells, 0);
   surroundings_.resize(cells);
   flags_.resize(cells);
+  const auto know = [&](int x, int y, bool white) {
+    known_[index(x, y)] = 1;
+    guess(x, y, white ? kWhite : 0);
+  };
   for (int y = 0; y < width_; ++y) {
     for (int x = 0; x < width_; ++x) {
       const codec::Cell cell = layout.cell(x, y);
-      brightness_[index(x, y)] = cell == codec::Cell::White   ? 2
-                                 : cell == codec::Cell::Black ? 0
-                                                              : kUnknownBrightness;
+      if (cell == codec::Cell::White || cell == codec::Cell::Black) {
+        know(x, y, cell == codec::Cell::White);
+      }
     }
   }
   const codec::Codeword word = family.codeword(id);
   int bit = layout.bits();
-  for (const codec::CellPosition p : layout.data_cells()) {
-    brightness_[index(p.x, p.y)] = ((word >> --bit) & 1) != 0 ? 2 : 0;
-  }
+  for (const codec::CellPosition p : layout.data_cells()) know(p.x, p.y, ((word >> --bit) & 1) != 0);
+}
+
+void TagPattern::finish(int reach) {
+  reach_ = reach;
   for (int y = 0; y < width_; ++y) {
     for (int x = 0; x < width_; ++x) {
       surroundings_[index(x, y)] = surroundings_of(x, y);
@@ -64,10 +76,10 @@ CellSurroundings TagPattern::surroundings_of(int x, int y) const {
 }
 
 std::int32_t TagPattern::flags_of(int x, int y) const {
+  if (!is_known(x, y)) return 0;
   const int own = brightness(x, y);
-  if (own == kUnknownBrightness) return 0;
-  const auto unknown = [&](int i, int j) { return brightness(i, j) == kUnknownBrightness; };
-  const auto changes = [&](int i, int j) { return !unknown(i, j) && brightness(i, j) != own; };
+  const auto unknown = [&](int i, int j) { return !is_known(i, j); };
+  const auto changes = [&](int i, int j) { return is_known(i, j) && brightness(i, j) != own; };
   std::int32_t flags = kKnown;
   if (changes(x - 1, y)) flags |= kChangeLeft;
   if (changes(x + 1, y)) flags |= kChangeRight;

@@ -21,7 +21,7 @@ inline constexpr int kMaxPatternWords = words_for_reach(kMaxCellReach);
 
 /// What the tag's picture is around one cell, ready to be mixed.
 ///
-/// With brightness c(i, j) of the cells around (0 black, 2 white, 1 not known) the picture at a
+/// With brightness c(i, j) of the cells around (0 black, 2 white, 1 half) the picture at a
 /// place is the sum of M(a, b) P_a(u) P_b(v), where P_0 = 1, P_a is the edge profile across the
 /// a-th grid line from the left (or top) of the surroundings and M holds the mixed differences of c:
 /// M(0,0) = c of the top left cell, M(a,0) = its differences along x, M(0,b) along y, and M(a,b)
@@ -34,9 +34,15 @@ struct CellSurroundings {
 /// The grid of a tag with the colours of all cells that are known, and what lies around each.
 class TagPattern {
  public:
-  /// Makes the pattern of a tag, upright.
+  /// Takes the cells of a tag, upright. Cells without a colour of their own, inside the grid and
+  /// around it, are half bright until guess() says more.
+  void begin(const codec::Family& family, codec::TagId id);
+  /// What a cell that is not known seems to be: twice its brightness, 0..2. -1 <= x, y <= width();
+  /// those farther outside are like the nearest of these.
+  void guess(int x, int y, int brightness);
+  /// Works out what lies around each cell.
   ///   reach   1 or kMaxCellReach
-  void assign(const codec::Family& family, codec::TagId id, int reach);
+  void finish(int reach);
 
   int reach() const { return reach_; }
   /// Side of the tag in cells.
@@ -51,8 +57,12 @@ class TagPattern {
   /// Bits of kChange* and kUnknown* of all cells.
   const std::vector<std::int32_t>& flags() const { return flags_; }
 
-  /// Twice the brightness of a cell: 0 black, 2 white, 1 not known; any x, y.
+  /// Twice the brightness of a cell, guessed where it is not known; any x, y.
   int brightness(int x, int y) const;
+  /// Whether the tag says what colour the cell has.
+  bool is_known(int x, int y) const {
+    return x >= 0 && y >= 0 && x < width_ && y < width_ && known_[index(x, y)] != 0;
+  }
 
   /// The colour changes across this side of the cell, and both sides of it are known.
   static constexpr std::int32_t kChangeLeft = 1, kChangeRight = 2, kChangeUp = 4, kChangeDown = 8;
@@ -70,7 +80,8 @@ class TagPattern {
   int width_ = 0;
   int border_begin_ = 0;
   int border_end_ = 0;
-  std::vector<std::int8_t> brightness_;
+  std::vector<std::int8_t> brightness_;  // with a ring of cells around the tag
+  std::vector<std::int8_t> known_;
   std::vector<CellSurroundings> surroundings_;
   std::vector<std::int32_t> flags_;
 };
