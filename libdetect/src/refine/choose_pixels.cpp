@@ -28,7 +28,9 @@ struct RowChoice {
   float origin_x, per_scale, scale;
   float y;  ///< of the row, frame
   float near_px, per_spread;
-  float last_cell;  ///< width - 1
+  float across_x, across_y;  ///< px from one grid line to the next in the middle of the tag
+  float last_cell;           ///< width - 1
+  int edges;
   const std::int32_t* flags;
   int width;
 };
@@ -67,6 +69,14 @@ HWY_ATTR HWY_INLINE V share_beyond(V t) {
     value = mul_add(value, s, hn::Set(d, static_cast<float>(kEdgeTerms[k])));
   }
   return hn::Sub(hn::Set(d, 0.5F), hn::Mul(t, value));
+}
+
+/// TagPattern::first_line() less the cell, from the place inside it.
+HWY_ATTR HWY_INLINE V first_line(V inside, const RowChoice& c) {
+  const Floats d;
+  if (c.edges == kMiddlingCells) return hn::Zero(d);
+  if (c.edges == kSmallCells) return hn::Set(d, -1.0F);
+  return hn::IfThenElseZero(hn::Ge(inside, hn::Set(d, 0.5F)), hn::Set(d, 1.0F));
 }
 
 /// Writes the chosen pixels of a row behind those that are there, and where they are in the row;
@@ -108,19 +118,10 @@ HWY_ATTR std::size_t choose_in_row(const RowChoice& c, const RowPixels& row,
     const auto has = [&](std::int32_t bits) HWY_ATTR {
       return hn::RebindMask(d, hn::Ne(hn::And(flags, hn::Set(di, bits)), hn::Zero(di)));
     };
-    // Gradients of u and v, cells per unit of the frame.
-    const V ux = hn::Mul(w, hn::Sub(set(g[0]), hn::Mul(u, set(g[6]))));
-    const V uy = hn::Mul(w, hn::Sub(set(g[1]), hn::Mul(u, set(g[7]))));
-    const V vx = hn::Mul(w, hn::Sub(set(g[3]), hn::Mul(v, set(g[6]))));
-    const V vy = hn::Mul(w, hn::Sub(set(g[4]), hn::Mul(v, set(g[7]))));
-    const V per_u = hn::Div(one, hn::Sqrt(mul_add(ux, ux, hn::Mul(uy, uy))));
-    const V per_v = hn::Div(one, hn::Sqrt(mul_add(vx, vx, hn::Mul(vy, vy))));
-    const V across_x = hn::Mul(set(c.scale), per_u);
-    const V across_y = hn::Mul(set(c.scale), per_v);
-    const V left = hn::Mul(in_x, across_x);
-    const V right = hn::Sub(across_x, left);
-    const V up = hn::Mul(in_y, across_y);
-    const V down = hn::Sub(across_y, up);
+    const V left = hn::Mul(in_x, set(c.across_x));
+    const V right = hn::Sub(set(c.across_x), left);
+    const V up = hn::Mul(in_y, set(c.across_y));
+    const V down = hn::Sub(set(c.across_y), up);
     const auto nearest = [&](std::int32_t l, std::int32_t r, std::int32_t a, std::int32_t b)
                              HWY_ATTR {
                                return hn::Min(hn::Min(hn::IfThenElse(has(l), left, none),
@@ -138,30 +139,54 @@ HWY_ATTR std::size_t choose_in_row(const RowChoice& c, const RowPixels& row,
                             set(1 / kUnknownShare));
     const V weight = hn::Div(one, mul_add(share, share, one));
 
-    const V cosine = hn::Mul(hn::Mul(per_u, per_v), mul_add(ux, vx, hn::Mul(uy, vy)));
-
-    alignas(32) float values[6][kPixelBlock];
-    const V fields[6] = {x, cell_x, cell_y, across_x, across_y, cosine};
-    for (int field = 0; field < 6; ++field) hn::Store(fields[field], d, values[field]);
-    alignas(32) float weights[kPixelBlock];
-    hn::Store(weight, d, weights);
+    const V line_x = hn::Add(cell_x, first_line(in_x, c));
+    const V line_y = hn::Add(cell_y, first_line(in_y, c));
+    alignas(32) float values[4][kPixelBlock];
+    hn::Store(x, d, values[0]);
+    hn::Store(line_x, d, values[1]);
+    hn::Store(line_y, d, values[2]);
+    hn::Store(weight, d, values[3]);
     std::uint8_t bits[8] = {};
     hn::StoreMaskBits(d, wanted, bits);
     for (unsigned rest = bits[0]; rest != 0; rest &= rest - 1) {
       const int lane = std::countr_zero(rest);
       const std::size_t at = pixels.size() + chosen;
       pixels.x[at] = values[0][lane];
-      pixels.cell_x[at] = values[1][lane];
-      pixels.cell_y[at] = values[2][lane];
-      pixels.across_x[at] = values[3][lane];
-      pixels.across_y[at] = values[4][lane];
-      pixels.cosine[at] = values[5][lane];
-      pixels.weight[at] = weights[lane];
+      pixels.line_x[at] = values[1][lane];
+      pixels.line_y[at] = values[2][lane];
+      pixels.weight[at] = values[3][lane];
       columns[chosen] = row.x0 + (k + lane) * row.step;
       ++chosen;
     }
   }
   return chosen;
+}
+
+/// Widths of cells and angles between grid lines at all chosen pixels.
+HWY_ATTR void measure_grid(const RowChoice& c, PhotometricPixels& pixels) {
+  const Floats d;
+  const auto set = [&](float value) HWY_ATTR { return hn::Set(d, value); };
+  const V one = set(1);
+  const auto& g = c.to_cells;
+  for (std::size_t i = 0; i < pixels.blocks() * kPixelBlock; i += hn::Lanes(d)) {
+    const V x = hn::LoadU(d, pixels.x.data() + i);
+    const V y = hn::LoadU(d, pixels.y.data() + i);
+    const V w = hn::Div(one, mul_add(x, set(g[6]), mul_add(y, set(g[7]), one)));
+    const V u = hn::Mul(mul_add(x, set(g[0]), mul_add(y, set(g[1]), set(g[2]))), w);
+    const V v = hn::Mul(mul_add(x, set(g[3]), mul_add(y, set(g[4]), set(g[5]))), w);
+    // Gradients of u and v, cells per unit of the frame, without the common factor w.
+    const V ux = hn::Sub(set(g[0]), hn::Mul(u, set(g[6])));
+    const V uy = hn::Sub(set(g[1]), hn::Mul(u, set(g[7])));
+    const V vx = hn::Sub(set(g[3]), hn::Mul(v, set(g[6])));
+    const V vy = hn::Sub(set(g[4]), hn::Mul(v, set(g[7])));
+    const V per_u = hn::Div(one, hn::Sqrt(mul_add(ux, ux, hn::Mul(uy, uy))));
+    const V per_v = hn::Div(one, hn::Sqrt(mul_add(vx, vx, hn::Mul(vy, vy))));
+    const V scale = hn::Div(set(c.scale), w);
+    hn::StoreU(hn::Mul(scale, per_u), d, pixels.across_x.data() + i);
+    hn::StoreU(hn::Mul(scale, per_v), d, pixels.across_y.data() + i);
+    hn::StoreU(hn::Mul(hn::Mul(per_u, per_v), mul_add(ux, vx, hn::Mul(uy, vy))), d,
+               pixels.cosine.data() + i);
+  }
 }
 
 }  // namespace
@@ -174,6 +199,7 @@ namespace tagmint::detect {
 namespace {
 
 HWY_EXPORT(choose_in_row);
+HWY_EXPORT(measure_grid);
 
 /// Rows of the image that a region touches: [first, end).
 struct Rows {
@@ -237,9 +263,14 @@ void choose_pixels(ImageView image, const TagPattern& pattern, const PixelChoice
   row_choice.near_px = static_cast<float>(choice.near_px);
   row_choice.per_spread = static_cast<float>(1 / choice.spread_px);
   row_choice.last_cell = static_cast<float>(pattern.width() - 1);
+  row_choice.across_x =
+      static_cast<float>(choice.frame.scale_px / std::hypot(choice.to_cells[0], choice.to_cells[1]));
+  row_choice.across_y =
+      static_cast<float>(choice.frame.scale_px / std::hypot(choice.to_cells[3], choice.to_cells[4]));
+  row_choice.edges = pattern.edges();
   row_choice.flags = pattern.flags().data();
   row_choice.width = pattern.width();
-  const int words = words_for_reach(pattern.reach());
+  const int words = words_for_edges(pattern.edges());
   const Rows rows = rows_of(image, region);
   std::vector<std::int32_t>& columns = pixels.columns;
   for (int y = rows.first; y < rows.end; ++y) {
@@ -253,13 +284,14 @@ void choose_pixels(ImageView image, const TagPattern& pattern, const PixelChoice
       const std::size_t at = pixels.size() + i;
       pixels.y[at] = row_choice.y;
       pixels.gray[at] = grays[columns[i]];
-      const CellSurroundings& around = pattern.surroundings(pattern.index(
-          static_cast<int>(pixels.cell_x[at]), static_cast<int>(pixels.cell_y[at])));
+      const CellSurroundings& around = pattern.surroundings(
+          static_cast<int>(pixels.line_x[at]), static_cast<int>(pixels.line_y[at]));
       for (int k = 0; k < words; ++k) pixels.pattern[k][at] = around.words[k];
     }
     pixels.grow(chosen);
   }
   pixels.pad();
+  HWY_DYNAMIC_DISPATCH(measure_grid)(row_choice, pixels);
 }
 
 namespace scalar {
@@ -287,19 +319,23 @@ bool choose_pixel(const TagPattern& pattern, const PixelChoice& choice, Point at
   if (!(w > 0 && u >= 0 && v >= 0 && u < width && v < width)) return false;
   pixel.x = p.x;
   pixel.y = p.y;
-  pixel.cell_x = static_cast<int>(u);
-  pixel.cell_y = static_cast<int>(v);
+  const int cell_x = static_cast<int>(u);
+  const int cell_y = static_cast<int>(v);
+  pixel.line_x = pattern.first_line(u, cell_x);
+  pixel.line_y = pattern.first_line(v, cell_y);
   const double scale = choice.frame.scale_px / (w * ideal_px_per_px);
   const Point across_u{g[0] - u * g[6], g[1] - u * g[7]};
   const Point across_v{g[3] - v * g[6], g[4] - v * g[7]};
   pixel.across_x = scale / length(across_u);
   pixel.across_y = scale / length(across_v);
   pixel.cosine = dot(across_u, across_v) / (length(across_u) * length(across_v));
-  const double in_x = u - pixel.cell_x;
-  const double in_y = v - pixel.cell_y;
-  const std::array<double, 4> sides = {in_x * pixel.across_x, (1 - in_x) * pixel.across_x,
-                                       in_y * pixel.across_y, (1 - in_y) * pixel.across_y};
-  const std::int32_t flags = pattern.flags()[pattern.index(pixel.cell_x, pixel.cell_y)];
+  const double in_x = u - cell_x;
+  const double in_y = v - cell_y;
+  const double middle_x = choice.frame.scale_px / std::hypot(g[0], g[1]);
+  const double middle_y = choice.frame.scale_px / std::hypot(g[3], g[4]);
+  const std::array<double, 4> sides = {in_x * middle_x, (1 - in_x) * middle_x, in_y * middle_y,
+                                       (1 - in_y) * middle_y};
+  const std::int32_t flags = pattern.flags()[pattern.index(cell_x, cell_y)];
   if (nearest_side(flags,
                    {TagPattern::kChangeLeft, TagPattern::kChangeRight, TagPattern::kChangeUp,
                     TagPattern::kChangeDown},
@@ -331,7 +367,7 @@ void choose_pixels(ImageView image, const TagPattern& pattern, const PixelChoice
         continue;
       }
       pixel.gray = image.at(x, y);
-      pixels.add(pixel, pattern.surroundings(pattern.index(pixel.cell_x, pixel.cell_y)));
+      pixels.add(pixel, pattern.surroundings(pixel.line_x, pixel.line_y));
     }
   }
   pixels.pad();

@@ -34,8 +34,8 @@ struct PhotometricPixel {
   double x = 0;  ///< frame coordinates of the pixel's centre
   double y = 0;
   double gray = 0;
-  int cell_x = 0;  ///< the cell that it lies in
-  int cell_y = 0;
+  int line_x = 0;  ///< the first grid lines that count for it, TagPattern::first_line()
+  int line_y = 0;
   double across_x = 1;  ///< px from one grid line x = const to the next, at right angles to them
   double across_y = 1;  ///< the same of lines y = const
   double cosine = 0;    ///< of the angle between the gradients of the two cell coordinates

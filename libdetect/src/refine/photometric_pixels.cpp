@@ -8,7 +8,7 @@ void PhotometricPixels::reset(std::size_t most) {
   const std::size_t room = (most + 2 * kPixelBlock - 1) / kPixelBlock * kPixelBlock + kPixelBlock;
   size_ = 0;
   if (x.size() >= room) return;
-  for (std::vector<float>* values : {&x, &y, &gray, &cell_x, &cell_y, &across_x, &across_y, &cosine,
+  for (std::vector<float>* values : {&x, &y, &gray, &line_x, &line_y, &across_x, &across_y, &cosine,
                                      &weight}) {
     values->resize(room);
   }
@@ -21,8 +21,8 @@ void PhotometricPixels::add(const PhotometricPixel& pixel, const CellSurrounding
   x[size_] = static_cast<float>(pixel.x);
   y[size_] = static_cast<float>(pixel.y);
   gray[size_] = static_cast<float>(pixel.gray);
-  cell_x[size_] = static_cast<float>(pixel.cell_x);
-  cell_y[size_] = static_cast<float>(pixel.cell_y);
+  line_x[size_] = static_cast<float>(pixel.line_x);
+  line_y[size_] = static_cast<float>(pixel.line_y);
   across_x[size_] = static_cast<float>(pixel.across_x);
   across_y[size_] = static_cast<float>(pixel.across_y);
   cosine[size_] = static_cast<float>(pixel.cosine);
@@ -33,7 +33,7 @@ void PhotometricPixels::add(const PhotometricPixel& pixel, const CellSurrounding
 
 void PhotometricPixels::pad() {
   for (std::size_t i = size_; i < blocks() * kPixelBlock; ++i) {
-    for (std::vector<float>* values : {&x, &y, &gray, &cell_x, &cell_y, &cosine, &weight}) {
+    for (std::vector<float>* values : {&x, &y, &gray, &line_x, &line_y, &cosine, &weight}) {
       (*values)[i] = 0;
     }
     across_x[i] = across_y[i] = 1;
@@ -45,8 +45,8 @@ PhotometricPixel PhotometricPixels::pixel(std::size_t i) const {
   return {x[i],
           y[i],
           gray[i],
-          static_cast<int>(cell_x[i]),
-          static_cast<int>(cell_y[i]),
+          static_cast<int>(line_x[i]),
+          static_cast<int>(line_y[i]),
           across_x[i],
           across_y[i],
           cosine[i],

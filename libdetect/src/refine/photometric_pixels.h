@@ -33,7 +33,7 @@ class PhotometricPixels {
   void pad();
   PhotometricPixel pixel(std::size_t i) const;
 
-  std::vector<float> x, y, gray, cell_x, cell_y, across_x, across_y, cosine, weight;
+  std::vector<float> x, y, gray, line_x, line_y, across_x, across_y, cosine, weight;
   std::array<std::vector<std::uint32_t>, kMaxPatternWords> pattern;
   std::vector<std::int32_t> columns;  ///< scratch of choose_pixels(), as long as the others
 

@@ -106,7 +106,7 @@ HWY_ATTR HWY_INLINE Edge edge_at(V t, const KernelConstants& c) {
           hn::Mul(t, by_tails)};
 }
 
-/// The edges around a cell along one axis, from the left; the last two where the reach is two.
+/// The edges that count along one axis, from the first on.
 struct Edges {
   Edge first, second, third, fourth;
 };
@@ -119,24 +119,21 @@ HWY_ATTR HWY_INLINE const Edge& edge_of(const Edges& edges) {
   if constexpr (kWhich == 4) return edges.fourth;
 }
 
-template <int kReach>
-HWY_ATTR HWY_INLINE Edges edges_around(V inside, V per_spread, const KernelConstants& c) {
+template <int kEdges>
+HWY_ATTR HWY_INLINE Edges edges_around(V beyond, V per_spread, const KernelConstants& c) {
   const Floats d;
-  const auto at = [&](int which) HWY_ATTR {
-    return edge_at(
-        hn::Mul(hn::Add(inside, hn::Set(d, static_cast<float>(kReach - which))), per_spread), c);
+  const auto at = [&](float line) HWY_ATTR {
+    return edge_at(hn::Mul(hn::Sub(beyond, hn::Set(d, line)), per_spread), c);
   };
   Edges edges;
-  edges.first = at(1);
-  edges.second = at(2);
-  if constexpr (kReach == 2) {
-    edges.third = at(3);
-    edges.fourth = at(4);
-  }
+  edges.first = at(0);
+  if constexpr (kEdges > 1) edges.second = at(1);
+  if constexpr (kEdges > 2) edges.third = at(2);
+  if constexpr (kEdges > 3) edges.fourth = at(3);
   return edges;
 }
 
-/// The packed words of pixels; as many as the reach needs.
+/// The packed words of pixels; as many as the edges need.
 struct Words {
   hn::Vec<Ints> first, second, third, fourth;
 };
@@ -157,9 +154,9 @@ HWY_ATTR HWY_INLINE V mixed_difference(const Words& words) {
 }
 
 /// Adds the columns of row `kRow` of the surroundings from `kColumn` on.
-template <int kReach, int kRow, int kColumn = 1>
+template <int kEdges, int kRow, int kColumn = 1>
 HWY_ATTR HWY_INLINE void add_columns(const Words& words, const Edges& x, Edge& row) {
-  constexpr int kSide = 2 * kReach + 1;
+  constexpr int kSide = kEdges + 1;
   if constexpr (kColumn < kSide) {
     const V m = mixed_difference<kColumn + kRow * kSide>(words);
     const Edge& edge = edge_of<kColumn>(x);
@@ -167,7 +164,7 @@ HWY_ATTR HWY_INLINE void add_columns(const Words& words, const Edges& x, Edge& r
     row.density = mul_add(m, edge.density, row.density);
     row.by_spread = mul_add(m, edge.by_spread, row.by_spread);
     row.by_tails = mul_add(m, edge.by_tails, row.by_tails);
-    add_columns<kReach, kRow, kColumn + 1>(words, x, row);
+    add_columns<kEdges, kRow, kColumn + 1>(words, x, row);
   }
 }
 
@@ -178,14 +175,14 @@ struct Mixture {
 };
 
 /// Adds row `kRow` of the surroundings, then those below it.
-template <int kReach, int kRow = 0>
+template <int kEdges, int kRow = 0>
 HWY_ATTR HWY_INLINE void add_rows(const Words& words, const Edges& x, const Edges& y,
                                   Mixture& sum) {
-  constexpr int kSide = 2 * kReach + 1;
+  constexpr int kSide = kEdges + 1;
   if constexpr (kRow < kSide) {
     const V zero = hn::Zero(Floats());
     Edge row = {mixed_difference<kRow * kSide>(words), zero, zero, zero};
-    add_columns<kReach, kRow>(words, x, row);
+    add_columns<kEdges, kRow>(words, x, row);
     if constexpr (kRow == 0) {
       sum = {row.share, row.density, zero, row.by_spread, row.by_tails, zero, zero, zero, zero};
     } else {
@@ -202,7 +199,7 @@ HWY_ATTR HWY_INLINE void add_rows(const Words& words, const Edges& x, const Edge
       sum.spread_density = mul_add(row.by_spread, edge.density, sum.spread_density);
       sum.density_spread = mul_add(row.density, edge.by_spread, sum.density_spread);
     }
-    add_rows<kReach, kRow + 1>(words, x, y, sum);
+    add_rows<kEdges, kRow + 1>(words, x, y, sum);
   }
 }
 
@@ -219,7 +216,7 @@ HWY_ATTR HWY_INLINE Whiteness whiteness(const Mixture& m, V per_x, V per_y, V co
           hn::Mul(per_y, mul_add(cosine, m.density_spread, m.share_density))};
 }
 
-template <int kReach>
+template <int kEdges>
 HWY_ATTR HWY_INLINE Words load_words(const PhotometricPixels& pixels, std::size_t i) {
   const Ints di;
   const auto load = [&](int k) HWY_ATTR {
@@ -227,8 +224,8 @@ HWY_ATTR HWY_INLINE Words load_words(const PhotometricPixels& pixels, std::size_
   };
   Words words;
   words.first = load(0);
-  words.second = load(1);
-  if constexpr (words_for_reach(kReach) > 2) {
+  if constexpr (words_for_edges(kEdges) > 1) words.second = load(1);
+  if constexpr (words_for_edges(kEdges) > 2) {
     words.third = load(2);
     words.fourth = load(3);
   }
@@ -236,7 +233,7 @@ HWY_ATTR HWY_INLINE Words load_words(const PhotometricPixels& pixels, std::size_
 }
 
 /// The columns of the pixels from i on, as predict() has them, and their weights.
-template <int kReach>
+template <int kEdges>
 HWY_ATTR HWY_INLINE void fill_columns(const PhotometricPixels& pixels, std::size_t i,
                                       const KernelConstants& c, std::size_t lane, Columns& out) {
   const Floats d;
@@ -254,10 +251,10 @@ HWY_ATTR HWY_INLINE void fill_columns(const PhotometricPixels& pixels, std::size
   const V v = hn::Mul(mul_add(x, set(g[3]), mul_add(y, set(g[4]), set(g[5]))), w);
   const V per_x = hn::Mul(load(pixels.across_x), set(c.per_px));
   const V per_y = hn::Mul(load(pixels.across_y), set(c.per_px));
-  const Edges edges_x = edges_around<kReach>(hn::Sub(u, load(pixels.cell_x)), per_x, c);
-  const Edges edges_y = edges_around<kReach>(hn::Sub(v, load(pixels.cell_y)), per_y, c);
+  const Edges edges_x = edges_around<kEdges>(hn::Sub(u, load(pixels.line_x)), per_x, c);
+  const Edges edges_y = edges_around<kEdges>(hn::Sub(v, load(pixels.line_y)), per_y, c);
   Mixture mixture;
-  add_rows<kReach>(load_words<kReach>(pixels, i), edges_x, edges_y, mixture);
+  add_rows<kEdges>(load_words<kEdges>(pixels, i), edges_x, edges_y, mixture);
   const Whiteness white = whiteness(mixture, per_x, per_y, load(pixels.cosine));
 
   const V half = hn::Set(d, 0.5F);  // brightness counts twice
@@ -399,7 +396,7 @@ double sum_of_lanes(const float* lanes) {
   return static_cast<double>((four[0] + four[2]) + (four[1] + four[3]));
 }
 
-template <int kReach>
+template <int kEdges>
 HWY_ATTR PhotometricSums sums_within(const PhotometricPixels& pixels,
                                      const PhotometricParameters& p, const PhotometricPass& pass) {
   const std::size_t lanes = hn::Lanes(Floats());
@@ -426,7 +423,7 @@ HWY_ATTR PhotometricSums sums_within(const PhotometricPixels& pixels,
   };
   for (std::size_t block = pass.first_block; block < pixels.blocks(); block += pass.block_step) {
     for (std::size_t lane = 0; lane < kPixelBlock; lane += lanes) {
-      fill_columns<kReach>(pixels, block * kPixelBlock + lane, constants, lane,
+      fill_columns<kEdges>(pixels, block * kPixelBlock + lane, constants, lane,
                            batch[filled]);
     }
     if (++filled == kBatch) empty_batch();
@@ -446,14 +443,20 @@ HWY_ATTR PhotometricSums sums_within(const PhotometricPixels& pixels,
   return total;
 }
 
-PhotometricSums sums_of_near_cells(const PhotometricPixels& pixels, const PhotometricParameters& p,
+PhotometricSums sums_of_wide_cells(const PhotometricPixels& pixels, const PhotometricParameters& p,
                                    const PhotometricPass& pass) {
-  return sums_within<1>(pixels, p, pass);
+  return sums_within<kWideCells>(pixels, p, pass);
 }
 
-PhotometricSums sums_of_far_cells(const PhotometricPixels& pixels, const PhotometricParameters& p,
-                                  const PhotometricPass& pass) {
-  return sums_within<kMaxCellReach>(pixels, p, pass);
+PhotometricSums sums_of_middling_cells(const PhotometricPixels& pixels,
+                                       const PhotometricParameters& p,
+                                       const PhotometricPass& pass) {
+  return sums_within<kMiddlingCells>(pixels, p, pass);
+}
+
+PhotometricSums sums_of_small_cells(const PhotometricPixels& pixels,
+                                    const PhotometricParameters& p, const PhotometricPass& pass) {
+  return sums_within<kSmallCells>(pixels, p, pass);
 }
 
 }  // namespace
@@ -465,18 +468,23 @@ HWY_AFTER_NAMESPACE();
 namespace tagmint::detect {
 namespace {
 
-HWY_EXPORT(sums_of_near_cells);
-HWY_EXPORT(sums_of_far_cells);
+HWY_EXPORT(sums_of_wide_cells);
+HWY_EXPORT(sums_of_middling_cells);
+HWY_EXPORT(sums_of_small_cells);
 
 }  // namespace
 
 PhotometricSums photometric_sums(const PhotometricPixels& pixels,
-                                 const PhotometricParameters& parameters, int pattern_reach,
+                                 const PhotometricParameters& parameters, int edges,
                                  const PhotometricPass& pass) {
-  if (pattern_reach == 1) {
-    return HWY_DYNAMIC_DISPATCH(sums_of_near_cells)(pixels, parameters, pass);
+  switch (edges) {
+    case kWideCells:
+      return HWY_DYNAMIC_DISPATCH(sums_of_wide_cells)(pixels, parameters, pass);
+    case kMiddlingCells:
+      return HWY_DYNAMIC_DISPATCH(sums_of_middling_cells)(pixels, parameters, pass);
+    default:
+      return HWY_DYNAMIC_DISPATCH(sums_of_small_cells)(pixels, parameters, pass);
   }
-  return HWY_DYNAMIC_DISPATCH(sums_of_far_cells)(pixels, parameters, pass);
 }
 
 namespace scalar {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "numerics/bilinear.h"
 #include "refine/corner_map.h"
 #include "tagmint/detect/homography.h"
 
@@ -42,21 +41,29 @@ constexpr double kOutlierNoise = 3;
 /// levels squared.
 constexpr double kLeastVariance = 0.1;
 /// Blocks of pixels that the first steps and the last judgement look at.
-constexpr std::size_t kFewBlocks = 24;
+constexpr std::size_t kFewBlocks = 20;
 /// Pixels are taken from both sides of an edge up to so many spreads.
-constexpr double kNearSpreads = 2.8;
+constexpr double kNearSpreads = 2.6;
 /// With a spread above this, pixels are chosen again, farther from the edges.
 constexpr double kWideSpread_px = 0.95;
-/// The point-spread reaches two cells where it is wider than this share of a cell.
-constexpr double kReachShare = 0.36;
+/// The nearest grid line alone counts while the spread is below this share of a cell, those of a
+/// pixel's own cell below this: then others are 2.6 and 2.8 spreads away or farther.
+constexpr double kWideCellShare = 0.19;
+constexpr double kMiddlingCellShare = 0.36;
 /// Fewer pixels than this, times the parameters, are too few.
 constexpr std::size_t kLeastPixelsEach = 3;
 /// A sum of squared residuals over some of the pixels may be larger by this many variances where both
 /// places are equally good.
 constexpr double kChance = 8;
-/// Steps over all pixels end when no corner moves by more, px.
-constexpr double kStill_px = 0.02;
+/// Steps over all pixels end when no corner moves by more, px: the next would move it by some
+/// hundredth of that.
+constexpr double kStill_px = 0.08;
 constexpr int kMaxFullSteps = 5;
+
+int edges_for(double spread_cells) {
+  if (spread_cells < kWideCellShare) return kWideCells;
+  return spread_cells < kMiddlingCellShare ? kMiddlingCells : kSmallCells;
+}
 
 double spread_px(const PhotometricParameters& p) { return std::exp(p.log_spread); }
 
@@ -72,6 +79,12 @@ struct Levels {
     return static_cast<int>(std::lround(2 * std::clamp(share, 0.0, 1.0)));
   }
 };
+
+/// Gray value of the pixel that a place is in.
+std::optional<double> nearest_gray(ImageView image, Point p) {
+  if (!(p.x >= 0 && p.y >= 0 && p.x < image.width && p.y < image.height)) return std::nullopt;
+  return image.row(static_cast<int>(p.y))[static_cast<int>(p.x)];
+}
 
 template <typename Gray>
 Levels ring_levels(const TagPattern& pattern, const Gray& gray) {
@@ -106,7 +119,6 @@ class Fit {
   bool choose(double near_px);
   bool first_step();
   bool step(std::size_t block_step);
-  bool small_step();
   bool solve(const PhotometricSums& sums);
   void move(const Vector& step);
   bool agrees_better(const std::array<double, 8>& before) const;
@@ -116,7 +128,7 @@ class Fit {
   }
   PhotometricSums sums(const PhotometricParameters& at, std::size_t block_step, bool normal) const {
     return photometric_sums(
-        scratch_.pixels, at, scratch_.pattern.reach(),
+        scratch_.pixels, at, scratch_.pattern.edges(),
         {.outlier_scale = outlier_scale_, .block_step = block_step, .normal = normal});
   }
   std::size_t few() const { return std::max<std::size_t>(1, scratch_.pixels.blocks() / kFewBlocks); }
@@ -171,7 +183,7 @@ void Fit::guess_unknown_cells() {
   if (!from_cells) return;
   const auto gray = [&](int x, int y) {
     const Point place = frame_.to_px(from_cells->project({x + 0.5, y + 0.5}));
-    return sample_bilinear(image_, to_image_px(options_.lens, place));
+    return nearest_gray(image_, to_image_px(options_.lens, place));
   };
   const Levels levels = ring_levels(pattern, gray);
   if (!levels.apart()) return;
@@ -289,17 +301,6 @@ bool Fit::step(std::size_t block_step) {
   return true;
 }
 
-/// A step with the last matrix, which changes little.
-bool Fit::small_step() {
-  const PhotometricSums s = sums(parameters_, 1, false);
-  variance_ = std::max(kLeastVariance,
-                       s.squared / std::max(1.0, s.weight - kPhotometricParameters));
-  Vector gradient;
-  for (int a = 0; a < kPhotometricParameters; ++a) gradient(a) = s.gradient[a];
-  move(factor_.solve(gradient));
-  return true;
-}
-
 /// Whether the picture is nearer to the result than to the tag at `before`, both with the light,
 /// spread and tone of the result.
 bool Fit::agrees_better(const std::array<double, 8>& before) const {
@@ -340,20 +341,20 @@ std::optional<PhotometricFit> Fit::run(const codec::Family& family, codec::TagId
   scratch_.pattern.begin(family, id);
   if (!begin(corners)) return std::nullopt;
   guess_unknown_cells();
-  scratch_.pattern.finish(1);
+  scratch_.pattern.finish(edges_for(kFirstSpread_px / cell_px_));
   if (!choose(kNearSpreads * kFirstSpread_px)) return std::nullopt;
   const std::array<double, 8> before = parameters_.to_cells;
   if (!first_step() || !step(few()) || !step(few())) return std::nullopt;
-  const bool far = spread_px(parameters_) > kReachShare * cell_px_;
-  if (far) scratch_.pattern.finish(kMaxCellReach);
-  if (far || spread_px(parameters_) > kWideSpread_px) {
+  const int edges = edges_for(spread_px(parameters_) / cell_px_);
+  if (edges > scratch_.pattern.edges() || spread_px(parameters_) > kWideSpread_px) {
+    scratch_.pattern.finish(edges);
     if (!choose(kNearSpreads * spread_px(parameters_))) return std::nullopt;
   }
   for (int i = 0; i < kMaxFullSteps; ++i) {
     if (!step(1)) return std::nullopt;
     if (moved_px_ < kStill_px) break;
   }
-  if (!small_step() || !agrees_better(before)) return std::nullopt;
+  if (!agrees_better(before)) return std::nullopt;
   return result(corners);
 }
 
