@@ -141,14 +141,14 @@ HWY_ATTR std::size_t choose_in_row(const RowChoice& c, const RowPixels& row,
 
     const V line_x = hn::Add(cell_x, first_line(in_x, c));
     const V line_y = hn::Add(cell_y, first_line(in_y, c));
-    alignas(32) float values[4][kPixelBlock];
+    alignas(64) float values[4][kPixelBlock];
     hn::Store(x, d, values[0]);
     hn::Store(line_x, d, values[1]);
     hn::Store(line_y, d, values[2]);
     hn::Store(weight, d, values[3]);
     std::uint8_t bits[8] = {};
     hn::StoreMaskBits(d, wanted, bits);
-    for (unsigned rest = bits[0]; rest != 0; rest &= rest - 1) {
+    for (unsigned rest = bits[0] | bits[1] << 8; rest != 0; rest &= rest - 1) {
       const int lane = std::countr_zero(rest);
       const std::size_t at = pixels.size() + chosen;
       pixels.x[at] = values[0][lane];
@@ -219,36 +219,58 @@ Rows rows_of(ImageView image, const Corners& region) {
           static_cast<int>(std::clamp(std::ceil(bottom + 0.5), 0.0, height))};
 }
 
-/// Pixels of row y whose centres lie in the region, one in `step`; rows begin in different places,
-/// so that no direction of edges is left out.
-RowPixels pixels_of_row(ImageView image, const Corners& region, int y, int step) {
-  const double middle = y + 0.5;
-  double left = image.width;
-  double right = 0;
-  for (int i = 0; i < 4; ++i) {
-    const Point a = region[i];
-    const Point b = region[(i + 1) % 4];
-    if ((a.y <= middle) == (b.y <= middle)) continue;
-    const double x = a.x + (middle - a.y) * (b.x - a.x) / (b.y - a.y);
-    left = std::min(left, x);
-    right = std::max(right, x);
+/// A convex region cut into rows.
+class RegionRows {
+ public:
+  RegionRows(ImageView image, const Corners& region, int step)
+      : width_(image.width), step_(step), turn_(std::max(1, (step * 3 + 4) / 8)) {
+    for (int i = 0; i < 4; ++i) {
+      const Point a = region[i];
+      const Point b = region[(i + 1) % 4];
+      const double slope = (b.x - a.x) / (b.y - a.y);
+      sides_[i] = {std::min(a.y, b.y), std::max(a.y, b.y), a.x - slope * a.y, slope};
+    }
   }
-  const int begin = std::max(0, static_cast<int>(std::ceil(left - 0.5)));
-  const int end = static_cast<int>(std::floor(std::min<double>(right, image.width) - 0.5)) + 1;
-  // Steps near 0.38 of a period fill it evenly, row by row.
-  const int turn = std::max(1, (step * 3 + 4) / 8);
-  const int wanted = (y % step) * turn % step;
-  const int first = begin + ((wanted - begin) % step + step) % step;
-  return {first, step, first < end ? (end - first + step - 1) / step : 0};
-}
+
+  /// Pixels of row y whose centres lie in the region, one in `step`; rows begin in different places,
+  /// so that no direction of edges is left out.
+  RowPixels row(int y) const {
+    const double middle = y + 0.5;
+    double left = width_;
+    double right = 0;
+    for (const Side& side : sides_) {
+      if (middle < side.top || middle >= side.bottom) continue;
+      const double x = side.at_zero + side.slope * middle;
+      left = std::min(left, x);
+      right = std::max(right, x);
+    }
+    const int begin = static_cast<int>(std::max(0.0, left - 0.5) + 0.999999);
+    const int end = static_cast<int>(std::min<double>(right, width_) + 0.5);
+    // Steps near 0.38 of a period fill it evenly, row by row.
+    const int wanted = (y % step_) * turn_ - begin;
+    const int first = begin + (wanted % step_ + step_) % step_;
+    return {first, step_, first < end ? (end - first + step_ - 1) / step_ : 0};
+  }
+
+ private:
+  struct Side {
+    double top, bottom, at_zero, slope;
+  };
+
+  int width_;
+  int step_;
+  int turn_;
+  std::array<Side, 4> sides_{};
+};
 
 }  // namespace
 
 std::size_t most_pixels(ImageView image, const Corners& region, int step) {
+  const RegionRows rows_of_region(image, region, step);
   std::size_t sum = 0;
   const Rows rows = rows_of(image, region);
   for (int y = rows.first; y < rows.end; ++y) {
-    sum += static_cast<std::size_t>(pixels_of_row(image, region, y, step).count);
+    sum += static_cast<std::size_t>(rows_of_region.row(y).count);
   }
   return sum;
 }
@@ -272,9 +294,10 @@ void choose_pixels(ImageView image, const TagPattern& pattern, const PixelChoice
   row_choice.width = pattern.width();
   const int words = words_for_edges(pattern.edges());
   const Rows rows = rows_of(image, region);
+  const RegionRows rows_of_region(image, region, choice.step);
   std::vector<std::int32_t>& columns = pixels.columns;
   for (int y = rows.first; y < rows.end; ++y) {
-    const RowPixels row = pixels_of_row(image, region, y, choice.step);
+    const RowPixels row = rows_of_region.row(y);
     if (row.count == 0 || pixels.size() + row.count > pixels.capacity()) continue;
     row_choice.y = static_cast<float>((y + 0.5 - choice.frame.origin.y) / choice.frame.scale_px);
     const std::size_t chosen =
@@ -356,8 +379,9 @@ bool choose_pixel(const TagPattern& pattern, const PixelChoice& choice, Point at
 void choose_pixels(ImageView image, const TagPattern& pattern, const PixelChoice& choice,
                    const Corners& region, const PixelMapping* mapping, PhotometricPixels& pixels) {
   const Rows rows = rows_of(image, region);
+  const RegionRows rows_of_region(image, region, choice.step);
   for (int y = rows.first; y < rows.end; ++y) {
-    const RowPixels row = pixels_of_row(image, region, y, choice.step);
+    const RowPixels row = rows_of_region.row(y);
     for (int k = 0; k < row.count && pixels.size() < pixels.capacity(); ++k) {
       const int x = row.x0 + k * row.step;
       const Point centre{x + 0.5, y + 0.5};

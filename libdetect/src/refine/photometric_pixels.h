@@ -11,7 +11,7 @@ namespace tagmint::detect {
 
 /// Pixels are worked on in blocks of so many, whatever the vectors of the machine, so that sums come
 /// out the same everywhere.
-inline constexpr int kPixelBlock = 8;
+inline constexpr int kPixelBlock = 16;
 
 /// Pixels that take part in a fit, one array a quantity (PhotometricPixel says what they mean),
 /// padded to whole blocks with pixels of no weight.

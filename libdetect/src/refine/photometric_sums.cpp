@@ -17,34 +17,41 @@
 #define TAGMINT_REFINE_PHOTOMETRIC_SUMS_ONCE
 namespace tagmint::detect {
 
-/// The parameters as the kernels load them, and what follows from them.
-struct KernelConstants {
-  float to_cells[8];
-  float black, contrast, light_x, light_y, tone;
-  float per_px;       ///< 1 / spread
-  float per_outlier;  ///< 1 / outlier scale
-  float share[5];     ///< terms of the edge profile, of its slope and of its derivative by tails
-  float density[5];
-  float by_tails[5];
+/// One number for all pixels of a block, ready to be loaded.
+struct alignas(64) Same {
+  float value[kPixelBlock];
+  void operator=(double number) { std::fill_n(value, kPixelBlock, static_cast<float>(number)); }
 };
 
-inline KernelConstants kernel_constants(const PhotometricParameters& p, double outlier_scale) {
-  KernelConstants c{};
-  for (int i = 0; i < 8; ++i) c.to_cells[i] = static_cast<float>(p.to_cells[i]);
-  c.black = static_cast<float>(p.black);
-  c.contrast = static_cast<float>(p.contrast);
-  c.light_x = static_cast<float>(p.light_x);
-  c.light_y = static_cast<float>(p.light_y);
-  c.tone = static_cast<float>(p.tone);
-  c.per_px = static_cast<float>(std::exp(-p.log_spread));
-  c.per_outlier = static_cast<float>(1 / outlier_scale);
+/// The parameters as the kernels load them, and what follows from them.
+struct KernelConstants {
+  Same to_cells[8];
+  Same black, contrast, light_x, light_y, tone, one, half;
+  Same per_px;       ///< 1 / spread
+  Same per_outlier;  ///< 1 / outlier scale
+  Same share[5];     ///< terms of the edge profile, of its slope and of its derivative by tails
+  Same density[5];
+  Same by_tails[5];
+};
+
+inline void set_constants(const PhotometricParameters& p, double outlier_scale,
+                          KernelConstants& c) {
+  for (int i = 0; i < 8; ++i) c.to_cells[i] = p.to_cells[i];
+  c.black = p.black;
+  c.contrast = p.contrast;
+  c.light_x = p.light_x;
+  c.light_y = p.light_y;
+  c.tone = p.tone;
+  c.one = 1;
+  c.half = 0.5;
+  c.per_px = std::exp(-p.log_spread);
+  c.per_outlier = 1 / outlier_scale;
   for (int k = 0; k < 5; ++k) {
     const double term = kEdgeTerms[k] + p.tails * kTailTerms[k];
-    c.share[k] = static_cast<float>(term);
-    c.density[k] = static_cast<float>((2 * k + 1) * term);
-    c.by_tails[k] = static_cast<float>(kTailTerms[k]);
+    c.share[k] = term;
+    c.density[k] = (2 * k + 1) * term;
+    c.by_tails[k] = kTailTerms[k];
   }
-  return c;
 }
 
 }  // namespace tagmint::detect
@@ -64,17 +71,17 @@ using V = hn::Vec<Floats>;
 /// The derivatives and, as the last column, the residual.
 constexpr int kColumns = kPhotometricParameters + 1;
 /// Blocks whose columns are kept before they are multiplied: small enough for the first cache.
-constexpr std::size_t kBatch = 16;
+constexpr std::size_t kBatch = 8;
 
 /// Columns of one block of pixels.
 struct Columns {
-  alignas(32) float value[kColumns][kPixelBlock];
-  alignas(32) float weight[kPixelBlock];
+  alignas(64) float value[kColumns][kPixelBlock];
+  alignas(64) float weight[kPixelBlock];
 };
 
 /// Sums by lane: product of columns a <= b at [a][b].
 struct LaneSums {
-  alignas(32) float product[kColumns][kColumns][kPixelBlock];
+  alignas(64) float product[kColumns][kColumns][kPixelBlock];
 };
 
 HWY_ATTR HWY_INLINE V mul_add(V a, V b, V c) { return hn::Add(hn::Mul(a, b), c); }
@@ -90,19 +97,19 @@ struct Edge {
 /// edge_profile() at several places.
 HWY_ATTR HWY_INLINE Edge edge_at(V t, const KernelConstants& c) {
   const Floats d;
-  const auto term = [&](const float* value) HWY_ATTR { return hn::Set(d, *value); };
+  const auto term = [&](const Same& same) HWY_ATTR { return hn::Load(d, same.value); };
   const V reach = hn::Set(d, static_cast<float>(kEdgeReach));
   t = hn::Max(hn::Min(t, reach), hn::Neg(reach));
   const V s = hn::Mul(t, t);
-  V share = term(&c.share[4]);
-  V density = term(&c.density[4]);
-  V by_tails = term(&c.by_tails[4]);
+  V share = term(c.share[4]);
+  V density = term(c.density[4]);
+  V by_tails = term(c.by_tails[4]);
   for (int k = 3; k >= 0; --k) {
-    share = mul_add(share, s, term(&c.share[k]));
-    density = mul_add(density, s, term(&c.density[k]));
-    by_tails = mul_add(by_tails, s, term(&c.by_tails[k]));
+    share = mul_add(share, s, term(c.share[k]));
+    density = mul_add(density, s, term(c.density[k]));
+    by_tails = mul_add(by_tails, s, term(c.by_tails[k]));
   }
-  return {mul_add(t, share, hn::Set(d, 0.5F)), density, hn::Neg(hn::Mul(t, density)),
+  return {mul_add(t, share, term(c.half)), density, hn::Neg(hn::Mul(t, density)),
           hn::Mul(t, by_tails)};
 }
 
@@ -237,15 +244,15 @@ template <int kEdges>
 HWY_ATTR HWY_INLINE void fill_columns(const PhotometricPixels& pixels, std::size_t i,
                                       const KernelConstants& c, std::size_t lane, Columns& out) {
   const Floats d;
-  const auto set = [&](const float& value) HWY_ATTR { return hn::Set(d, value); };
+  const auto set = [&](const Same& same) HWY_ATTR { return hn::Load(d, same.value); };
   const auto load = [&](const std::vector<float>& from)
                         HWY_ATTR { return hn::LoadU(d, from.data() + i); };
   const auto store = [&](int column, V value)
                          HWY_ATTR { hn::Store(value, d, out.value[column] + lane); };
   const V x = load(pixels.x);
   const V y = load(pixels.y);
-  const V one = hn::Set(d, 1.0F);
-  const float* g = c.to_cells;
+  const V one = set(c.one);
+  const Same* g = c.to_cells;
   const V w = hn::Div(one, mul_add(x, set(g[6]), mul_add(y, set(g[7]), one)));
   const V u = hn::Mul(mul_add(x, set(g[0]), mul_add(y, set(g[1]), set(g[2]))), w);
   const V v = hn::Mul(mul_add(x, set(g[3]), mul_add(y, set(g[4]), set(g[5]))), w);
@@ -257,7 +264,7 @@ HWY_ATTR HWY_INLINE void fill_columns(const PhotometricPixels& pixels, std::size
   add_rows<kEdges>(load_words<kEdges>(pixels, i), edges_x, edges_y, mixture);
   const Whiteness white = whiteness(mixture, per_x, per_y, load(pixels.cosine));
 
-  const V half = hn::Set(d, 0.5F);  // brightness counts twice
+  const V half = set(c.half);  // brightness counts twice
   const V t = hn::Mul(white.share, half);
   const V mixed = hn::Mul(t, hn::Sub(one, t));
   const V tone = set(c.tone);
@@ -391,8 +398,10 @@ HWY_ATTR void add_squares(const Columns* blocks, std::size_t count, std::size_t 
 
 /// In one order with all sets of instructions.
 double sum_of_lanes(const float* lanes) {
+  float eight[8];
   float four[4];
-  for (int i = 0; i < 4; ++i) four[i] = lanes[i] + lanes[i + 4];
+  for (int i = 0; i < 8; ++i) eight[i] = lanes[i] + lanes[i + 8];
+  for (int i = 0; i < 4; ++i) four[i] = eight[i] + eight[i + 4];
   return static_cast<double>((four[0] + four[2]) + (four[1] + four[3]));
 }
 
@@ -400,15 +409,16 @@ template <int kEdges>
 HWY_ATTR PhotometricSums sums_within(const PhotometricPixels& pixels,
                                      const PhotometricParameters& p, const PhotometricPass& pass) {
   const std::size_t lanes = hn::Lanes(Floats());
-  const KernelConstants constants = kernel_constants(p, pass.outlier_scale);
+  KernelConstants constants;
+  set_constants(p, pass.outlier_scale, constants);
   Columns batch[kBatch];
   LaneSums sums;
   for (int a = 0; a < kColumns; ++a) {
     const int first = pass.normal ? a : kColumns - 1;
     std::fill_n(&sums.product[a][first][0], (kColumns - first) * kPixelBlock, 0.0F);
   }
-  alignas(32) float squared[kPixelBlock] = {};
-  alignas(32) float weights[kPixelBlock] = {};
+  alignas(64) float squared[kPixelBlock] = {};
+  alignas(64) float weights[kPixelBlock] = {};
   std::size_t filled = 0;
   const auto empty_batch = [&]() HWY_ATTR {
     for (std::size_t lane = 0; lane < kPixelBlock; lane += lanes) {

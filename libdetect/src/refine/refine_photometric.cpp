@@ -1,17 +1,16 @@
 #include "refine/refine_photometric.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
+#include "numerics/cholesky.h"
 #include "refine/corner_map.h"
 #include "tagmint/detect/homography.h"
 
 namespace tagmint::detect {
 namespace {
 
-using Normal = Eigen::Matrix<double, kPhotometricParameters, kPhotometricParameters>;
-using Vector = Eigen::Matrix<double, kPhotometricParameters, 1>;
+using Normal = Cholesky<kPhotometricParameters>;
 
 /// Standard deviation of the point-spread to begin with, px: half a pixel of optics and the pixel.
 constexpr double kFirstSpread_px = 0.6;
@@ -41,7 +40,7 @@ constexpr double kOutlierNoise = 3;
 /// levels squared.
 constexpr double kLeastVariance = 0.1;
 /// Blocks of pixels that the first steps and the last judgement look at.
-constexpr std::size_t kFewBlocks = 20;
+constexpr std::size_t kFewBlocks = 8;
 /// Pixels are taken from both sides of an edge up to so many spreads.
 constexpr double kNearSpreads = 2.6;
 /// With a spread above this, pixels are chosen again, farther from the edges.
@@ -119,8 +118,8 @@ class Fit {
   bool choose(double near_px);
   bool first_step();
   bool step(std::size_t block_step);
-  bool solve(const PhotometricSums& sums);
-  void move(const Vector& step);
+  bool solve(PhotometricSums& sums);
+  void move(PhotometricVector step);
   bool agrees_better(const std::array<double, 8>& before) const;
   std::optional<PhotometricFit> result(const Corners& corners) const;
   std::optional<Corners> ideal_corners() const {
@@ -141,7 +140,7 @@ class Fit {
   Corners first_corners_;  // ideal px
   PhotometricParameters parameters_;
   double outlier_scale_ = 1e9;
-  Eigen::LLT<Normal> factor_;
+  Normal factor_;
   double variance_ = 1;   // of a pixel about the model
   double moved_px_ = 0;  // by the last step, the farthest corner
 };
@@ -226,39 +225,28 @@ bool Fit::choose(double near_px) {
   return pixels.size() >= kLeastPixelsEach * kPhotometricParameters;
 }
 
-/// Adds the priors and factors; false when the matrix is not positive definite.
-bool Fit::solve(const PhotometricSums& sums) {
+/// Adds the priors, factors and moves; false when the matrix is not positive definite.
+bool Fit::solve(PhotometricSums& sums) {
   variance_ = std::max(kLeastVariance,
                        sums.squared / std::max(1.0, sums.weight - kPhotometricParameters));
-  Normal normal;
-  Vector gradient;
-  for (int a = 0; a < kPhotometricParameters; ++a) {
-    gradient(a) = sums.gradient[a];
-    for (int b = a; b < kPhotometricParameters; ++b) {
-      normal(a, b) = normal(b, a) = sums.normal[a][b];
-    }
-  }
   const auto prior = [&](int i, double distance, double deviation) {
-    normal(i, i) += variance_ / (deviation * deviation);
-    gradient(i) += variance_ / (deviation * deviation) * distance;
+    sums.normal[i][i] += variance_ / (deviation * deviation);
+    sums.gradient[i] += variance_ / (deviation * deviation) * distance;
   };
   prior(kLogSpread, std::log(kFirstSpread_px) - parameters_.log_spread, kLogSpreadPrior);
   prior(kLightX, -parameters_.light_x, kLightPrior);
   prior(kLightY, -parameters_.light_y, kLightPrior);
   prior(kTails, kFirstTails - parameters_.tails, kTailsPrior);
   prior(kTone, -parameters_.tone, kTonePrior);
-  factor_.compute(normal);
-  if (factor_.info() != Eigen::Success) return false;
-  move(factor_.solve(gradient));
+  if (!factor_.factor(sums.normal)) return false;
+  move(factor_.solve(sums.gradient));
   return true;
 }
 
-void Fit::move(const Vector& step) {
+void Fit::move(PhotometricVector step) {
   const std::optional<Corners> before = ideal_corners();
-  PhotometricVector limited;
-  for (int i = 0; i < kPhotometricParameters; ++i) limited[i] = step(i);
-  limited[kLogSpread] = std::clamp(limited[kLogSpread], -kMaxLogSpreadStep, kMaxLogSpreadStep);
-  parameters_ = moved(parameters_, limited);
+  step[kLogSpread] = std::clamp(step[kLogSpread], -kMaxLogSpreadStep, kMaxLogSpreadStep);
+  parameters_ = moved(parameters_, step);
   parameters_.log_spread = std::clamp(parameters_.log_spread, std::log(kLeastSpread_px),
                                       std::log(kLargestSpread_px));
   parameters_.tails = std::clamp(parameters_.tails, kLeastTails, kMostTails);
@@ -273,7 +261,7 @@ void Fit::move(const Vector& step) {
 }
 
 /// Black and contrast as the drawn tag fits them best, then a step of geometry and spread from the
-/// same sums: with contrast 1 and black 0 they hold all that is needed.
+/// same sums: those of contrast 1 and black 0 hold all that is needed. Light and tone wait.
 bool Fit::first_step() {
   parameters_.black = 0;
   parameters_.contrast = 1;
@@ -290,11 +278,31 @@ bool Fit::first_step() {
   parameters_.contrast = 1 + more;
   if (!(parameters_.contrast > 1)) return false;
   outlier_scale_ = std::max(kOutlierLevels, kOutlierShare * parameters_.contrast);
-  return true;
+
+  // What the sums would be: residuals are less by black + more * share, derivatives by the place and
+  // the point-spread are `contrast` times as large.
+  s.squared -= black * s.gradient[kBlackLevel] + more * s.gradient[kContrast];
+  const auto column = [&](int a, int b) { return a <= b ? s.normal[a][b] : s.normal[b][a]; };
+  PhotometricVector gradient = s.gradient;
+  for (int a = 0; a < kPhotometricParameters; ++a) {
+    gradient[a] -= black * column(a, kBlackLevel) + more * column(a, kContrast);
+  }
+  const auto factor = [&](int a) {
+    return a < 8 || a == kLogSpread || a == kTails ? parameters_.contrast : 1;
+  };
+  const auto waits = [](int a) { return a == kLightX || a == kLightY || a == kTone; };
+  for (int a = 0; a < kPhotometricParameters; ++a) {
+    s.gradient[a] = waits(a) ? 0 : factor(a) * gradient[a];
+    for (int b = a; b < kPhotometricParameters; ++b) {
+      s.normal[a][b] *= factor(a) * factor(b);
+      if (waits(a) || waits(b)) s.normal[a][b] = a == b ? 1 : 0;
+    }
+  }
+  return solve(s);
 }
 
 bool Fit::step(std::size_t block_step) {
-  const PhotometricSums s = sums(parameters_, block_step, true);
+  PhotometricSums s = sums(parameters_, block_step, true);
   if (!solve(s)) return false;
   outlier_scale_ = std::max({kOutlierLevels, kOutlierShare * parameters_.contrast,
                              kOutlierNoise * std::sqrt(variance_)});
@@ -323,13 +331,18 @@ std::optional<PhotometricFit> Fit::result(const Corners& corners) const {
   const Matrix8 jacobian = lens_jacobian(options_.lens, *ideal) *
                            corner_jacobian(parameters_.to_cells, frame_, *ideal, scratch_.pattern);
   // With normal = L L^T, J normal^-1 J^T is X^T X for X = L^-1 J^T.
-  Eigen::Matrix<double, kPhotometricParameters, 8> x =
-      Eigen::Matrix<double, kPhotometricParameters, 8>::Zero();
-  x.topRows<8>() = jacobian.transpose();
-  factor_.matrixL().solveInPlace(x);
-  const Matrix8 covariance = variance_ * (x.transpose() * x);
+  std::array<PhotometricVector, 8> x;
+  for (int corner = 0; corner < 8; ++corner) {
+    PhotometricVector row{};
+    for (int i = 0; i < 8; ++i) row[i] = jacobian(corner, i);
+    x[corner] = factor_.solve_lower(row);
+  }
   for (int a = 0; a < 8; ++a) {
-    for (int b = 0; b < 8; ++b) fit.covariance[a * 8 + b] = covariance(a, b);
+    for (int b = 0; b <= a; ++b) {
+      double product = 0;
+      for (int i = 0; i < kPhotometricParameters; ++i) product += x[a][i] * x[b][i];
+      fit.covariance[a * 8 + b] = fit.covariance[b * 8 + a] = variance_ * product;
+    }
   }
   fit.parameters = parameters_;
   fit.noise = std::sqrt(variance_);
@@ -344,7 +357,7 @@ std::optional<PhotometricFit> Fit::run(const codec::Family& family, codec::TagId
   scratch_.pattern.finish(edges_for(kFirstSpread_px / cell_px_));
   if (!choose(kNearSpreads * kFirstSpread_px)) return std::nullopt;
   const std::array<double, 8> before = parameters_.to_cells;
-  if (!first_step() || !step(few()) || !step(few())) return std::nullopt;
+  if (!first_step() || !step(few())) return std::nullopt;
   const int edges = edges_for(spread_px(parameters_) / cell_px_);
   if (edges > scratch_.pattern.edges() || spread_px(parameters_) > kWideSpread_px) {
     scratch_.pattern.finish(edges);

@@ -38,7 +38,9 @@ class TagPattern {
   void begin(const codec::Family& family, codec::TagId id);
   /// What a cell that is not known seems to be: twice its brightness, 0..2. -1 <= x, y <= width();
   /// those farther outside are like the nearest of these.
-  void guess(int x, int y, int brightness) { brightness_[padded(x, y)] = static_cast<std::int8_t>(brightness); }
+  void guess(int x, int y, int brightness) {
+    brightness_[padded(x, y)] = static_cast<std::int8_t>(brightness);
+  }
   /// Works out the surroundings.
   ///   edges   kWideCells, kMiddlingCells or kSmallCells
   void finish(int edges);
@@ -69,10 +71,8 @@ class TagPattern {
 
   /// Twice the brightness of a cell, guessed where it is not known; -1 <= x, y <= width().
   int brightness(int x, int y) const { return brightness_[padded(x, y)]; }
-  /// Whether the tag says what colour the cell has.
-  bool is_known(int x, int y) const {
-    return x >= 0 && y >= 0 && x < width_ && y < width_ && known_[index(x, y)] != 0;
-  }
+  /// Whether the tag says what colour the cell has; the same x, y.
+  bool is_known(int x, int y) const { return known_[padded(x, y)] != 0; }
 
   /// The colour changes across this side of the cell, and both sides of it are known.
   static constexpr std::int32_t kChangeLeft = 1, kChangeRight = 2, kChangeUp = 4, kChangeDown = 8;
@@ -87,6 +87,7 @@ class TagPattern {
 
   int padded(int x, int y) const { return (y + kPad) * (width_ + 2 * kPad) + x + kPad; }
   void extend_guesses();
+  void take_differences();
   CellSurroundings surroundings_at(int first_x, int first_y) const;
   std::int32_t flags_of(int x, int y) const;
 
@@ -94,8 +95,10 @@ class TagPattern {
   int width_ = 0;
   int border_begin_ = 0;
   int border_end_ = 0;
-  std::vector<std::int8_t> brightness_;
-  std::vector<std::int8_t> known_;
+  std::vector<std::int8_t> brightness_;  // with kPad cells around the tag
+  std::vector<std::int8_t> known_;       // alike
+  /// Brightness, its differences along x, along y and along both: low four bits, padded alike.
+  std::vector<std::uint32_t> code_, code_x_, code_y_, code_xy_;
   std::vector<CellSurroundings> surroundings_;
   std::vector<std::int32_t> flags_;
 };
