@@ -17,6 +17,7 @@
 
 #include "refine/refine_photometric.h"
 #include "scene/effects.h"
+#include "scene/light.h"
 #include "scene/random_scene.h"
 #include "scene/render.h"
 #include "tagmint/codec/builtin_families.h"
@@ -83,11 +84,7 @@ Picture draw(const Kind& kind, std::uint64_t seed) {
   for (scene::TagTruth& tag : drawing.truth) {
     for (detect::Point& corner : tag.corners) corner = (1.0 / kind.fineness) * corner;
   }
-  if (kind.gamma != 1) {
-    for (float& level : drawing.plane.levels) {
-      level = static_cast<float>(255 * std::pow(std::max(0.0, level / 255.0), 1 / kind.gamma));
-    }
-  }
+  apply_gamma(kind.gamma, drawing.plane);
   picture.image = add_noise_and_round(drawing.plane, options.effects.noise_sigma, seed);
   picture.truth = std::move(drawing.truth);
   return picture;

@@ -56,8 +56,8 @@ DetectOutcome detect_one(const DetectPlan& plan, const ImageTask& task, Detector
   for (detect::Detection& detection : found) {
     io::FoundTag tag{std::move(detection), {}};
     if (plan.poses) {
-      tag.pose =
-          detect::estimate_pose(tag.detection.corners, plan.poses->camera, plan.poses->edge_m);
+      tag.pose = detect::estimate_pose(tag.detection.corners, plan.poses->camera,
+                                       plan.poses->edge_m, tag.detection.corner_covariance);
     }
     result.tags.push_back(std::move(tag));
   }
@@ -126,6 +126,7 @@ std::string stats_text(const detect::DetectStats& stats) {
       {"  low margin", stats.low_margin},
       {"  duplicates", stats.duplicates},
       {"detections", stats.detections},
+      {"  refined", stats.refined_tags},
   };
   std::string text;
   for (const auto& [name, count] : counters) text += fmt::format("{:<24}{:>12}\n", name, count);

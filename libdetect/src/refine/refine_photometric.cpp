@@ -13,7 +13,7 @@ namespace {
 using Normal = Cholesky<kPhotometricParameters>;
 
 /// Standard deviation of the point-spread to begin with, px: half a pixel of optics and the pixel.
-constexpr double kFirstSpread_px = 0.6;
+constexpr double kFirstSpread_px = 0.65;
 /// A pixel alone has 1 / sqrt(12).
 constexpr double kLeastSpread_px = 0.29;
 /// Beyond, a cell of any tag that can be read is smaller than the blur.
@@ -199,7 +199,11 @@ void Fit::guess_unknown_cells() {
 
 /// Fills the list of pixels; false when they are too few.
 bool Fit::choose(double near_px) {
-  const auto outer = places_in_px(parameters_.to_cells, frame_, outer_corners(scratch_.pattern));
+  // Half as much again, because cells are not equally wide everywhere.
+  const double inset =
+      scratch_.pattern.plain_rim() ? std::max(0.0, 1 - 1.5 * near_px / cell_px_) : 0;
+  const auto outer =
+      places_in_px(parameters_.to_cells, frame_, outer_corners(scratch_.pattern, inset));
   if (!outer) return false;
   Corners region;
   for (int i = 0; i < 4; ++i) region[i] = to_image_px(options_.lens, (*outer)[i]);
@@ -351,7 +355,7 @@ std::optional<PhotometricFit> Fit::result(const Corners& corners) const {
 
 std::optional<PhotometricFit> Fit::run(const codec::Family& family, codec::TagId id,
                                        const Corners& corners) {
-  scratch_.pattern.begin(family, id);
+  scratch_.pattern.begin(family, id, options_.inverted, options_.mirrored);
   if (!begin(corners)) return std::nullopt;
   guess_unknown_cells();
   scratch_.pattern.finish(edges_for(kFirstSpread_px / cell_px_));
@@ -382,9 +386,27 @@ std::optional<PhotometricFit> refine_photometric(ImageView image, const codec::F
 
 bool refine_detection(ImageView image, Detection& detection, const PhotometricOptions& options,
                       PhotometricScratch& scratch) {
-  const std::optional<PhotometricFit> fit = refine_photometric(
-      image, *detection.family, detection.id, detection.corners, options, scratch);
+  PhotometricOptions of_print = options;
+  of_print.inverted = detection.inverted;
+  of_print.mirrored = detection.mirrored;
+  // A mirrored tag's corner i is where an upright one has corner kMirror[i].
+  constexpr std::array<int, 4> kMirror = {1, 0, 3, 2};
+  const auto place = [&](int i) { return detection.mirrored ? kMirror[i] : i; };
+  Corners corners;
+  for (int i = 0; i < 4; ++i) corners[i] = detection.corners[place(i)];
+  std::optional<PhotometricFit> fit =
+      refine_photometric(image, *detection.family, detection.id, corners, of_print, scratch);
   if (!fit) return false;
+  if (detection.mirrored) {
+    const PhotometricFit upright = *fit;
+    for (int i = 0; i < 4; ++i) fit->corners[i] = upright.corners[place(i)];
+    for (int a = 0; a < 8; ++a) {
+      for (int b = 0; b < 8; ++b) {
+        fit->covariance[a * 8 + b] =
+            upright.covariance[(2 * place(a / 2) + a % 2) * 8 + 2 * place(b / 2) + b % 2];
+      }
+    }
+  }
   const std::optional<Homography> homography = Homography::from_corners(fit->corners);
   if (!homography) return false;
   detection.corners = fit->corners;

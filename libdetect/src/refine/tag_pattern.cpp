@@ -10,7 +10,7 @@ constexpr std::int8_t kWhiteBright = 2;
 
 }  // namespace
 
-void TagPattern::begin(const codec::Family& family, codec::TagId id) {
+void TagPattern::begin(const codec::Family& family, codec::TagId id, bool inverted, bool mirrored) {
   const codec::Layout& layout = family.layout();
   width_ = layout.width();
   border_begin_ = layout.border_offset();
@@ -19,8 +19,9 @@ void TagPattern::begin(const codec::Family& family, codec::TagId id) {
   brightness_.assign(padded_width * padded_width, kHalfBright);
   known_.assign(padded_width * padded_width, 0);
   const auto know = [&](int x, int y, bool white) {
+    if (mirrored) x = width_ - 1 - x;
     known_[padded(x, y)] = 1;
-    guess(x, y, white ? kWhiteBright : 0);
+    guess(x, y, white != inverted ? kWhiteBright : 0);
   };
   for (int y = 0; y < width_; ++y) {
     for (int x = 0; x < width_; ++x) {
@@ -35,6 +36,19 @@ void TagPattern::begin(const codec::Family& family, codec::TagId id) {
   for (const codec::CellPosition p : layout.data_cells()) {
     know(p.x, p.y, ((word >> --bit) & 1) != 0);
   }
+}
+
+bool TagPattern::plain_rim() const {
+  const auto like_first = [&](int x, int y) {
+    return is_known(x, y) && brightness(x, y) == brightness(0, 0);
+  };
+  for (int i = 0; i < width_; ++i) {
+    if (!like_first(i, 0) || !like_first(0, i) || !like_first(i, width_ - 1) ||
+        !like_first(width_ - 1, i)) {
+      return false;
+    }
+  }
+  return true;
 }
 
 void TagPattern::finish(int edges) {

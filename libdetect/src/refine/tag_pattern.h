@@ -34,8 +34,10 @@ struct CellSurroundings {
 class TagPattern {
  public:
   /// Takes the cells of a tag, upright. Cells without a colour of their own, inside the grid and
-  /// around it, are half bright until guess() says more.
-  void begin(const codec::Family& family, codec::TagId id);
+  /// around it, are half bright until guess() says more. As printed: with black for white, left for
+  /// right, or both.
+  void begin(const codec::Family& family, codec::TagId id, bool inverted = false,
+             bool mirrored = false);
   /// What a cell that is not known seems to be: twice its brightness, 0..2. -1 <= x, y <= width();
   /// those farther outside are like the nearest of these.
   void guess(int x, int y, int brightness) {
@@ -63,6 +65,10 @@ class TagPattern {
   const CellSurroundings& surroundings(int first_x, int first_y) const {
     return surroundings_[(first_y + 1) * (width_ + 2) + first_x + 1];
   }
+
+  /// Whether the outermost cells are known and of one colour, so that no edge is nearer to the tag's
+  /// outside than one cell.
+  bool plain_rim() const;
 
   /// 0 <= x, y < width(): row-major index of a cell.
   int index(int x, int y) const { return y * width_ + x; }
