@@ -31,15 +31,22 @@ void count(DecodeOutcome outcome, DetectStats& stats) {
 
 QuadDecoding::QuadDecoding(Decoders decoders, const DetectorOptions& o)
     : decoders_(std::move(decoders)),
-      options_{.sharpening = o.decode_sharpening, .min_decision_margin = o.min_decision_margin} {}
+      inverted_(o.report_inverted),
+      options_{.sharpening = o.decode_sharpening,
+               .min_decision_margin = o.min_decision_margin,
+               .min_log_odds = o.min_log_odds,
+               .harder = o.read_harder,
+               .mirrored = o.report_mirrored} {}
 
 /// Counted once, by how far it came with any family.
 void QuadDecoding::decode_one(ImageView full, const Quad& quad, Worker& worker,
                               std::span<std::optional<Detection>> found) {
   DecodeOutcome farthest = DecodeOutcome::OutsideImage;
+  start_quad(full, quad, worker.decode);
   for (std::size_t i = 0; i < decoders_.size(); ++i) {
-    if (decoders_[i]->family()->layout().reversed_border() != quad.reversed_border) continue;
-    DecodeResult result = decode_quad(full, quad, *decoders_[i], options_, worker.decode);
+    const bool reversed = decoders_[i]->family()->layout().reversed_border();
+    if (reversed != quad.reversed_border && !inverted_) continue;
+    DecodeResult result = decode_family(*decoders_[i], options_, worker.decode);
     farthest = std::max(farthest, result.outcome);
     found[i] = std::move(result.detection);
   }

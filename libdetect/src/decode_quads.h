@@ -44,6 +44,7 @@ class QuadDecoding {
                   std::span<std::optional<Detection>> found);
 
   Decoders decoders_;
+  bool inverted_;  ///< whether quads with the other kind of border are read too
   DecodeOptions options_;
   std::vector<std::optional<Detection>> found_;  ///< by quad, then decoder
   tbb::enumerable_thread_specific<Worker> workers_;

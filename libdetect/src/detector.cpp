@@ -20,9 +20,10 @@
 namespace tagmint::detect {
 namespace {
 
-QuadKinds kinds_of(const Decoders& decoders) {
+QuadKinds kinds_of(const Decoders& decoders, const DetectorOptions& options) {
   QuadKinds kinds;
   for (const auto& decoder : decoders) kinds.add(decoder->family()->layout());
+  if (options.report_inverted) kinds.normal_borders = kinds.reversed_borders = true;
   return kinds;
 }
 
@@ -40,11 +41,11 @@ struct Detector::Impl {
   Impl(Decoders decoders, const DetectorOptions& o)
       : options(o),
         share(o.threads),
-        path(std::in_place_type<PaperPath>, o, kinds_of(decoders)),
+        path(std::in_place_type<PaperPath>, o, kinds_of(decoders, o)),
         decoding(std::move(decoders), o),
         refinement(o) {
     if (o.algorithm == Algorithm::Tracker) {
-      path.emplace<TrackerPath>(o, kinds_of(decoding.decoders()));
+      path.emplace<TrackerPath>(o, kinds_of(decoding.decoders(), o));
     }
   }
 
@@ -57,7 +58,10 @@ struct Detector::Impl {
       const StageTimer timer(stats, Stage::Reconcile);
       detections = reconcile(std::move(candidates), stats);
     }
-    if (options.refine_photometric) refinement.refine(full, detections, share, stats);
+    if (options.refine_photometric) {
+      refinement.refine(full, detections, share, stats);
+      sort_detections(detections);
+    }
     if (debug) debug->detections(detections);
     return detections;
   }

@@ -8,15 +8,16 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <ctime>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "refine/refine_photometric.h"
 #include "scene/effects.h"
+#include "scene/light.h"
 #include "scene/random_scene.h"
 #include "scene/render.h"
 #include "tagmint/codec/builtin_families.h"
@@ -39,6 +40,9 @@ struct Kind {
   scene::RandomSceneOptions options;
   double gamma = 1;  ///< exponent of the camera's tone curve, applied to light between 0 and 255
   std::string family = "tag36h11";
+  /// Drawn and blurred so many times larger, then averaged: blur as a lens makes it, before the
+  /// pixels, and not between them.
+  int fineness = 1;
 };
 
 struct Picture {
@@ -47,20 +51,40 @@ struct Picture {
   std::vector<scene::TagTruth> truth;
 };
 
+/// Means over squares of `step` pixels.
+scene::GrayPlane averaged(const scene::GrayPlane& fine, int step) {
+  scene::GrayPlane plane(fine.width / step, fine.height / step);
+  for (int y = 0; y < plane.height; ++y) {
+    for (int x = 0; x < plane.width; ++x) {
+      float sum = 0;
+      for (int j = 0; j < step; ++j) {
+        for (int i = 0; i < step; ++i) sum += fine.row(y * step + j)[x * step + i];
+      }
+      plane.row(y)[x] = sum / static_cast<float>(step * step);
+    }
+  }
+  return plane;
+}
+
 Picture draw(const Kind& kind, std::uint64_t seed) {
   scene::RandomSceneOptions options = kind.options;
   options.seed = seed;
+  options.width *= kind.fineness;
+  options.height *= kind.fineness;
+  options.min_side_px *= kind.fineness;
+  options.max_side_px *= kind.fineness;
+  options.effects.blur_sigma_px *= kind.fineness;
   const std::vector<scene::TagChoice> choices = {{codec::find_family(kind.family), {}}};
   Picture picture;
   picture.scene = random_scene(choices, options);
   scene::Drawing drawing = draw_tags(picture.scene);
   apply_shading(options.effects.shading, drawing.plane);
   apply_blur(options.effects.blur_sigma_px, drawing.plane);
-  if (kind.gamma != 1) {
-    for (float& level : drawing.plane.levels) {
-      level = static_cast<float>(255 * std::pow(std::max(0.0, level / 255.0), 1 / kind.gamma));
-    }
+  drawing.plane = averaged(drawing.plane, kind.fineness);
+  for (scene::TagTruth& tag : drawing.truth) {
+    for (detect::Point& corner : tag.corners) corner = (1.0 / kind.fineness) * corner;
   }
+  apply_gamma(kind.gamma, drawing.plane);
   picture.image = add_noise_and_round(drawing.plane, options.effects.noise_sigma, seed);
   picture.truth = std::move(drawing.truth);
   return picture;
@@ -158,19 +182,46 @@ void detect_theirs(Picture& picture, Tally& tally) {
 }
 #endif
 
-/// Microseconds a tag, the least of several rounds over the tags of a picture.
+double cpu_microseconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
+}
+
+/// Means over the tags of what the fits found.
+void print_parameters(const Picture& picture, const std::vector<detect::Detection>& tags) {
+  detect::PhotometricScratch scratch;
+  double tone = 0, tails = 0, spread = 0, black = 0, contrast = 0, noise = 0, pixels = 0;
+  int n = 0;
+  for (const detect::Detection& tag : tags) {
+    const auto fit = detect::refine_photometric(picture.image, *tag.family, tag.id, tag.corners,
+                                                {}, scratch);
+    if (!fit) continue;
+    ++n;
+    tone += fit->parameters.tone;
+    tails += fit->parameters.tails;
+    spread += std::exp(fit->parameters.log_spread);
+    black += fit->parameters.black;
+    contrast += fit->parameters.contrast;
+    noise += fit->noise;
+    pixels += static_cast<double>(scratch.pixels.size());
+  }
+  fmt::print("  tone {:.4f}, tails {:.3f}, spread {:.4f} px, black {:.2f}, contrast {:.2f}, noise {:.3f}, pixels {:.0f}\n",
+             tone / n, tails / n, spread / n, black / n, contrast / n, noise / n, pixels / n);
+}
+
+/// Microseconds of this thread a tag, the least of several rounds over the tags of a picture.
 double microseconds_a_tag(const Picture& picture, const std::vector<detect::Detection>& tags) {
   detect::PhotometricScratch scratch;
   double best = 1e9;
   for (int round = 0; round < 20; ++round) {
-    const auto start = std::chrono::steady_clock::now();
+    const double start = cpu_microseconds();
     for (const detect::Detection& tag : tags) {
       (void)detect::refine_photometric(picture.image, *tag.family, tag.id, tag.corners, {},
                                        scratch);
     }
-    const std::chrono::duration<double, std::micro> took =
-        std::chrono::steady_clock::now() - start;
-    best = std::min(best, took.count() / static_cast<double>(std::max<std::size_t>(1, tags.size())));
+    const double took = cpu_microseconds() - start;
+    best = std::min(best, took / static_cast<double>(std::max<std::size_t>(1, tags.size())));
   }
   return best;
 }
@@ -194,6 +245,7 @@ void measure(const Kind& kind, int scenes, bool peers) {
     }
     const auto unrefined = edges.detect(picture.image);
     for (const auto& d : unrefined) judge(picture, d.id, d.corners, {}, without);
+    if (i == 0) print_parameters(picture, unrefined);
     micros += microseconds_a_tag(picture, unrefined) / scenes;
 #ifdef TAGMINT_HAVE_APRILTAG
     if (peers && kind.family == "tag36h11") detect_theirs(picture, theirs);
@@ -230,6 +282,10 @@ std::vector<Kind> kinds() {
   kinds.push_back({"12-20 px", options(12, 20, 10, 0.5, 2)});
   kinds.push_back({"20-40 px", options(20, 40, 10, 0.5, 2)});
   kinds.push_back({"20-40 px, gamma 2.2", options(20, 40, 10, 0.5, 2), 2.2});
+  kinds.push_back({"fine 10-12 px", options(10, 12, 0.1, 0.5, 2), 1, "tag36h11", 4});
+  kinds.push_back({"fine 12-20 px", options(12, 20, 10, 0.5, 2), 1, "tag36h11", 4});
+  kinds.push_back({"fine 20-40 px", options(20, 40, 10, 0.5, 2), 1, "tag36h11", 4});
+  kinds.push_back({"fine no noise 20-40 px", options(20, 40, 10, 0.7, 0), 1, "tag36h11", 4});
   kinds.push_back({"tilt 60-75", options(40, 100, 75, 0.7, 2)});
   kinds.push_back({"noise 0, blur 0.5", options(15, 80, 40, 0.5, 0)});
   kinds.push_back({"noise 1, no blur", options(15, 80, 40, 0, 1)});

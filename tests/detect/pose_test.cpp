@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -171,6 +172,129 @@ TEST(Pose, ImpossibleArgumentsAreRefused) {
   EXPECT_THROW(estimate_pose(corners, kCamera, std::numeric_limits<double>::infinity()),
                std::invalid_argument);
   EXPECT_THROW(estimate_pose(corners, Camera{}, kEdge), std::invalid_argument);
+}
+
+/// Corners with noise of a covariance that is neither even nor without correlations.
+struct NoisyCorners {
+  Corners corners;
+  CornerCovariance covariance{};
+};
+
+double normal(testing::FixedRandom& random) { return random.normal(); }
+
+NoisyCorners with_noise(const Corners& truth, double sigma_px, testing::FixedRandom& random) {
+  // Every corner by itself, and all together as a shift and a growth.
+  Eigen::Matrix<double, 8, 11> causes = Eigen::Matrix<double, 8, 11>::Zero();
+  Point middle{0, 0};
+  for (const Point p : truth) middle = middle + 0.25 * p;
+  for (int i = 0; i < 8; ++i) {
+    causes(i, i) = sigma_px;
+    causes(i, 8 + i % 2) = 0.5 * sigma_px;
+    const Point out = truth[i / 2] - middle;
+    causes(i, 10) = 0.7 * sigma_px * (i % 2 == 0 ? out.x : out.y) / length(out);
+  }
+  Eigen::Matrix<double, 11, 1> draw;
+  for (int i = 0; i < 11; ++i) draw(i) = normal(random);
+  const Eigen::Matrix<double, 8, 1> off = causes * draw;
+  const Eigen::Matrix<double, 8, 8> covariance = causes * causes.transpose();
+  NoisyCorners noisy{truth};
+  for (int i = 0; i < 8; ++i) {
+    (i % 2 == 0 ? noisy.corners[i / 2].x : noisy.corners[i / 2].y) += off(i);
+    for (int j = 0; j < 8; ++j) noisy.covariance[i * 8 + j] = covariance(i, j);
+  }
+  return noisy;
+}
+
+/// Turn and shift from a pose to the truth, in the units of Pose::covariance.
+Eigen::Matrix<double, 6, 1> error_of(const Pose& pose, const Truth& truth) {
+  const AngleAxisd turn(truth.R * rotation_of(pose).transpose());
+  Eigen::Matrix<double, 6, 1> error;
+  error << turn.angle() * turn.axis(), truth.t - Vector3d(pose.t[0], pose.t[1], pose.t[2]);
+  return error;
+}
+
+TEST(PoseCovariance, IsWhatTheErrorsSay) {
+  for (const Camera& camera : {kCamera, kLens}) {
+    for (const double sigma : {0.01, 0.05, 0.2}) {
+      testing::FixedRandom random(17);
+      double sum = 0;
+      double chi_squared = 0;
+      constexpr int kRounds = 500;
+      for (int round = 0; round < kRounds; ++round) {
+        const Truth truth = looking_at(random.real(30, 60) * kDegree, random.real(0, 6.28),
+                                       random.real(0, 6.28), {0.05, -0.03, 0.7});
+        const NoisyCorners noisy = with_noise(seen(truth, camera), sigma, random);
+        const auto estimate = estimate_pose(noisy.corners, camera, kEdge, noisy.covariance);
+        ASSERT_TRUE(estimate);
+        ASSERT_TRUE(estimate->best.covariance);
+        const Eigen::Matrix<double, 6, 6> covariance =
+            Eigen::Map<const Eigen::Matrix<double, 6, 6, Eigen::RowMajor>>(
+                estimate->best.covariance->data());
+        const Eigen::Matrix<double, 6, 1> error = error_of(estimate->best, truth);
+        sum += error.dot(covariance.ldlt().solve(error)) / 6;
+        chi_squared += *estimate->best.chi_squared / 2;
+      }
+      // Of 500 draws with six degrees of freedom the mean has a deviation of 0.026.
+      EXPECT_NEAR(sum / kRounds, 1, 0.1) << sigma;
+      EXPECT_NEAR(chi_squared / kRounds, 1, 0.15) << sigma;
+    }
+  }
+}
+
+TEST(PoseCovariance, MakesThePoseTruerWhereCornersAreNotAlike) {
+  testing::FixedRandom random(3);
+  double with = 0, without = 0;
+  for (int round = 0; round < 200; ++round) {
+    const Truth truth = looking_at(45 * kDegree, random.real(0, 6.28), random.real(0, 6.28),
+                                   {0, 0, 0.7});
+    Corners corners = seen(truth, kCamera);
+    CornerCovariance covariance{};
+    for (int i = 0; i < 8; ++i) covariance[i * 9] = i < 2 ? 1.0 : 1e-4;
+    corners[0] = corners[0] + Point{normal(random), normal(random)};  // a corner that nobody saw
+    const auto weighed = estimate_pose(corners, kCamera, kEdge, covariance);
+    const auto plain = estimate_pose(corners, kCamera, kEdge);
+    ASSERT_TRUE(weighed && plain);
+    with += angle_deg(rotation_of(weighed->best), truth.R);
+    without += angle_deg(rotation_of(plain->best), truth.R);
+  }
+  EXPECT_LT(with, without / 5);
+}
+
+TEST(PoseAmbiguity, IsTheShareOfWrongChoices) {
+  // Small tags far away, nearly frontal: which of the two leans is the true one often cannot be seen.
+  testing::FixedRandom random(23);
+  double expected_wrong = 0;
+  int wrong = 0, both = 0, ambiguous = 0, wrong_though_clear = 0;
+  for (int round = 0; round < 1500; ++round) {
+    const Truth truth = looking_at(random.real(5, 40) * kDegree, random.real(0, 6.28),
+                                   random.real(0, 6.28), {0.1, 0, random.real(1, 4)});
+    const NoisyCorners noisy = with_noise(seen(truth, kCamera), 0.03, random);
+    const auto estimate = estimate_pose(noisy.corners, kCamera, kEdge, noisy.covariance);
+    ASSERT_TRUE(estimate);
+    if (!estimate->alternative) continue;
+    ++both;
+    ASSERT_TRUE(estimate->alternative_probability);
+    EXPECT_LE(*estimate->best.chi_squared, *estimate->alternative->chi_squared);
+    const bool is_wrong = angle_deg(rotation_of(estimate->alternative.value()), truth.R) <
+                          angle_deg(rotation_of(estimate->best), truth.R);
+    expected_wrong += *estimate->alternative_probability;
+    wrong += is_wrong;
+    ambiguous += estimate->ambiguous();
+    wrong_though_clear += is_wrong && !estimate->ambiguous();
+  }
+  EXPECT_GT(both, 1000);
+  EXPECT_GT(wrong, 20);
+  EXPECT_NEAR(wrong, expected_wrong, 0.3 * expected_wrong);
+  EXPECT_GT(ambiguous, wrong);
+  EXPECT_LT(wrong_though_clear, 0.01 * both);
+}
+
+TEST(PoseAmbiguity, IsNotToldWithoutACovariance) {
+  const auto estimate = estimate_pose(seen(looking_at(0.2, 1, 0, {0, 0, 2}), kCamera), kCamera, kEdge);
+  ASSERT_TRUE(estimate);
+  EXPECT_FALSE(estimate->alternative_probability);
+  EXPECT_FALSE(estimate->best.covariance);
+  EXPECT_FALSE(estimate->ambiguous());
 }
 
 }  // namespace

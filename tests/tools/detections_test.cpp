@@ -49,14 +49,14 @@ TEST(DetectionsJsonl, HasExactlyThePromisedKeys) {
   EXPECT_EQ(json.at("elapsed_ms"), 1.93);
   ASSERT_EQ(json.at("detections").size(), 2U);
   const Json& plain = json.at("detections")[0];
-  EXPECT_EQ(plain.size(), 7U);
+  EXPECT_EQ(plain.size(), 9U);  // seven fields as libapriltag has them, two of our own
   EXPECT_EQ(plain.at("family"), "arbitrary");
   EXPECT_EQ(plain.at("id"), 7);
   EXPECT_EQ(plain.at("hamming"), 1);
   EXPECT_EQ(plain.at("decision_margin"), 61.25);
   EXPECT_EQ(plain.at("homography"), (Json{1, 2, 3, 4, 5, 6, 7, 8, 1}));
   const Json& posed = json.at("detections")[1];
-  EXPECT_EQ(posed.size(), 9U);
+  EXPECT_EQ(posed.size(), 11U);
   EXPECT_EQ(posed.at("pose").size(), 3U);
   EXPECT_EQ(posed.at("pose").at("R"), (Json{1, 0, 0, 0, 1, 0, 0, 0, 1}));
   EXPECT_EQ(posed.at("pose").at("t"), (Json{0.1, 0.2, 0.3}));
@@ -75,7 +75,37 @@ TEST(DetectionsJsonl, KeysStandInThePromisedOrder) {
             (std::vector<std::string>{"image", "width", "height", "elapsed_ms", "detections"}));
   EXPECT_EQ(keys(json["detections"][1]),
             (std::vector<std::string>{"family", "id", "hamming", "decision_margin", "center",
-                                      "corners", "homography", "pose", "pose_alternative"}));
+                                      "corners", "homography", "pose", "pose_alternative",
+                                      "margin_to_noise", "log_odds"}));
+}
+
+TEST(DetectionsJsonl, SaysWhatIsKnownOfErrorsAndPrints) {
+  ImageResult result = result_of_two_tags();
+  FoundTag& tag = result.tags[1];
+  tag.detection.margin_to_noise = 12.5;
+  tag.detection.log_odds = 30.25;
+  tag.detection.inverted = true;
+  detect::CornerCovariance corners{};
+  corners[0] = 0.0001234567;
+  tag.detection.corner_covariance = corners;
+  detect::PoseCovariance pose{};
+  pose[35] = 2.5e-7;
+  tag.pose->best.covariance = pose;
+  tag.pose->best.chi_squared = 1.5;
+  tag.pose->alternative_probability = 0.25;
+  const Json json = Json::parse(format_jsonl(result)).at("detections")[1];
+  EXPECT_EQ(json.at("margin_to_noise"), 12.5);
+  EXPECT_EQ(json.at("log_odds"), 30.25);
+  EXPECT_EQ(json.at("inverted"), true);
+  EXPECT_FALSE(json.contains("mirrored"));
+  EXPECT_EQ(json.at("corner_covariance").size(), 64U);
+  EXPECT_EQ(json.at("corner_covariance")[0], 0.000123457);
+  EXPECT_EQ(json.at("pose").at("covariance").size(), 36U);
+  EXPECT_EQ(json.at("pose").at("covariance")[35], 2.5e-7);
+  EXPECT_EQ(json.at("pose").at("chi_squared"), 1.5);
+  EXPECT_FALSE(json.at("pose_alternative").contains("covariance"));
+  EXPECT_EQ(json.at("pose_alternative_probability"), 0.25);
+  EXPECT_EQ(json.at("pose_ambiguous"), true);
 }
 
 TEST(DetectionsJsonl, CoordinatesComeBackToAMillionthOfAPixel) {

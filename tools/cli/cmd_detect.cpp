@@ -103,6 +103,12 @@ void add_search_options(CLI::App& app, DetectArguments& arguments) {
                  "drop tags of a lower decision margin")
       ->type_name("M")
       ->check(number_between(0, 255));
+  app.add_option("--min-log-odds", arguments.detector.min_log_odds,
+                 "drop tags of lower log-odds; lower finds more, true and false")
+      ->type_name("L")
+      ->check(number_between(-1000, 1000));
+  app.add_flag("--unusual-prints", arguments.unusual_prints, "report inverted and mirrored tags");
+  app.add_flag("--no-photometric", arguments.no_photometric, "keep the corners of the border");
   app.add_flag("--no-refine", arguments.no_refine, "keep the edges as first found");
 }
 

@@ -22,6 +22,8 @@ struct DetectArguments {
   detect::DetectorOptions detector;
   DecoderArguments decoding;
   bool no_refine = false;
+  bool no_photometric = false;
+  bool unusual_prints = false;
   std::string camera;
   std::string distortion;
   std::string edge;

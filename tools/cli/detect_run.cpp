@@ -58,8 +58,8 @@ DetectOutcome detect_one(const DetectPlan& plan, const ImageTask& task, Detector
   for (detect::Detection& detection : found) {
     io::FoundTag tag{std::move(detection), {}};
     if (plan.poses) {
-      tag.pose =
-          detect::estimate_pose(tag.detection.corners, plan.poses->camera, plan.poses->edge_m);
+      tag.pose = detect::estimate_pose(tag.detection.corners, plan.poses->camera,
+                                       plan.poses->edge_m, tag.detection.corner_covariance);
     }
     result.tags.push_back(std::move(tag));
   }
@@ -145,6 +145,7 @@ constexpr Counter kCounters[] = {
     {"  low margin", &DetectStats::low_margin},
     {"  duplicates", &DetectStats::duplicates},
     {"detections", &DetectStats::detections},
+    {"  refined", &DetectStats::refined_tags},
 };
 
 std::string counters_text(std::span<const Counter> counters, const DetectStats& stats) {

@@ -16,17 +16,22 @@ using detect::Pose;
 
 constexpr int kDigits = 12;  // 1e-6 of a pixel in images of up to 10^5 pixels
 
+constexpr int kFewDigits = 6;  // of what is an estimate itself
+
 std::string number(double value) { return fmt::format("{:.{}g}", value, kDigits); }
 
 /// The numbers, each with a comma before it but the first.
-std::string numbers(std::span<const double> values) {
+std::string numbers(std::span<const double> values, int digits = kDigits) {
   std::string text;
   for (const double value : values) {
     if (!text.empty()) text += ',';
-    text += number(value);
+    text += fmt::format("{:.{}g}", value, digits);
   }
   return text;
 }
+
+/// Of covariances.
+std::string rough_numbers(std::span<const double> values) { return numbers(values, kFewDigits); }
 
 std::string json_text(const std::string& text) {
   // File names need not be UTF-8; JSON must be.
@@ -36,8 +41,25 @@ std::string json_text(const std::string& text) {
 std::string json_point(Point p) { return fmt::format("[{},{}]", number(p.x), number(p.y)); }
 
 std::string json_pose(const Pose& pose) {
-  return fmt::format(R"({{"R":[{}],"t":[{}],"error":{}}})", numbers(pose.R), numbers(pose.t),
-                     number(pose.error));
+  std::string json = fmt::format(R"({{"R":[{}],"t":[{}],"error":{})", numbers(pose.R),
+                                 numbers(pose.t), number(pose.error));
+  if (pose.chi_squared) json += fmt::format(R"(,"chi_squared":{})", number(*pose.chi_squared));
+  if (pose.covariance) json += fmt::format(R"(,"covariance":[{}])", rough_numbers(*pose.covariance));
+  json += '}';
+  return json;
+}
+
+/// What goes beyond libapriltag's fields; flags only where they are true.
+std::string json_more(const FoundTag& tag) {
+  const detect::Detection& d = tag.detection;
+  std::string json = fmt::format(R"(,"margin_to_noise":{:.{}g},"log_odds":{:.{}g})",
+                                 d.margin_to_noise, kFewDigits, d.log_odds, kFewDigits);
+  if (d.inverted) json += R"(,"inverted":true)";
+  if (d.mirrored) json += R"(,"mirrored":true)";
+  if (d.corner_covariance) {
+    json += fmt::format(R"(,"corner_covariance":[{}])", rough_numbers(*d.corner_covariance));
+  }
+  return json;
 }
 
 std::string json_tag(const FoundTag& tag) {
@@ -56,7 +78,12 @@ std::string json_tag(const FoundTag& tag) {
     if (tag.pose->alternative) {
       json += fmt::format(R"(,"pose_alternative":{})", json_pose(*tag.pose->alternative));
     }
+    if (tag.pose->alternative_probability) {
+      json += fmt::format(R"(,"pose_alternative_probability":{:.{}g},"pose_ambiguous":{})",
+                          *tag.pose->alternative_probability, kFewDigits, tag.pose->ambiguous());
+    }
   }
+  json += json_more(tag);
   json += '}';
   return json;
 }

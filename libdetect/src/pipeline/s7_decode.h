@@ -1,10 +1,11 @@
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <vector>
 
-#include "pipeline/cell_grid.h"
+#include "decode/cell_grid.h"
+#include "decode/deconvolve.h"
+#include "decode/read_word.h"
 #include "pipeline/stage_types.h"
 #include "tagmint/codec/decoder.h"
 #include "tagmint/detect/detection.h"
@@ -16,6 +17,9 @@ namespace tagmint::detect {
 struct DecodeOptions {
   double sharpening = 0.25;        ///< weight of the 4-neighbour Laplacian on the cells; 0 = off
   double min_decision_margin = 0;  ///< gray levels
+  double min_log_odds = 0;         ///< Detection::log_odds
+  bool harder = true;              ///< read again in shadow and through blur where need be
+  bool mirrored = false;           ///< look for mirrored prints too
 };
 
 /// How far a candidate came, worst first.
@@ -23,7 +27,7 @@ enum class DecodeOutcome {
   OutsideImage,  ///< a data cell, or too much of the border, is not in the picture
   NoContrast,    ///< black ring not clearly darker than the white ring
   NoCodeword,    ///< too many bits differ from every codeword
-  LowMargin,     ///< below min_decision_margin
+  LowMargin,     ///< below min_decision_margin or min_log_odds
   Decoded
 };
 
@@ -32,22 +36,37 @@ struct DecodeResult {
   std::optional<Detection> detection;  ///< when Decoded
 };
 
-/// Buffers that decode_quad() keeps from one candidate to the next; one for each thread.
+/// Buffers that decoding keeps from one candidate to the next, and what it has read of the current
+/// one; one for each thread.
 struct DecodeScratch {
-  CellGrid cells;
-  /// By cell of the whole tag, row-major: gray value less the threshold there...
-  std::vector<float> excess;
-  /// ...where this is not 0; not for cells that are not printed or lie outside the image.
-  std::vector<std::uint8_t> known;
+  ImageView full;
+  Quad quad;
+  std::optional<Homography> tag_to_image;
+  std::vector<CellGrid> grids;   ///< one for each geometry that the quad was read for
+  std::size_t grids_in_use = 0;  ///< of the current quad; the others keep their memory
+  Whiteness read, harder;
+  DeconvolveScratch deconvolve;
+  std::vector<std::int8_t> colours;
+  std::vector<double> sorted;
 };
 
-/// Reads the cells of the tag whose border square `quad` may be. The rings inside and outside of
-/// the border square give the gray level of black and of white at each place; half-way between is
-/// the threshold of a cell.
-///   full      full-resolution image
-///   quad      convex, counter-clockwise as seen, full-resolution px
-///   decoder   of a family whose layout has the quad's kind of border
+/// Makes `quad` the one that decode_family() reads.
+///   full   full-resolution image
+///   quad   convex, counter-clockwise as seen, full-resolution px
+void start_quad(ImageView full, const Quad& quad, DecodeScratch& scratch);
+
+/// Reads the cells of the tag whose border square the started quad may be. The rings inside and
+/// outside of the border square give the gray level of black and of white at each place; half-way
+/// between is the threshold of a cell. Where no codeword is near, once more against one threshold
+/// that a shadow across the tag does not upset, and with blur taken out.
+///
+/// A quad with the other kind of border than the family's may be an inverted print.
+///   decoder   its layout's geometry is sampled once a quad, whatever the number of families
 ///   cost      some gray values a cell, then Decoder::decode()
+DecodeResult decode_family(const codec::Decoder& decoder, const DecodeOptions& options,
+                           DecodeScratch& scratch);
+
+/// Both for one family.
 DecodeResult decode_quad(ImageView full, const Quad& quad, const codec::Decoder& decoder,
                          const DecodeOptions& options, DecodeScratch& scratch);
 

@@ -90,6 +90,10 @@ std::vector<Detection> one_of_each_quad(std::vector<Detection> candidates) {
 
 }  // namespace
 
+void sort_detections(std::vector<Detection>& detections) {
+  std::sort(detections.begin(), detections.end(), output_order);
+}
+
 std::vector<Detection> reconcile(std::vector<Detection> candidates, DetectStats& stats) {
   const std::size_t read = candidates.size();
   candidates = one_of_each_quad(std::move(candidates));
@@ -109,7 +113,7 @@ std::vector<Detection> reconcile(std::vector<Detection> candidates, DetectStats&
       kept.push_back(std::move(candidate));
     }
   }
-  std::sort(kept.begin(), kept.end(), output_order);
+  sort_detections(kept);
   stats.detections += static_cast<std::int64_t>(kept.size());
   return kept;
 }

@@ -19,4 +19,7 @@ namespace tagmint::detect {
 ///   cost         O(n log n), and a comparison for each pair of the same family and id
 std::vector<Detection> reconcile(std::vector<Detection> candidates, DetectStats& stats);
 
+/// Sorts by family name, id, then centre (y, x): once more where corners have changed since.
+void sort_detections(std::vector<Detection>& detections);
+
 }  // namespace tagmint::detect

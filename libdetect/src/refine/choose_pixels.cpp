@@ -1,6 +1,7 @@
 #include "refine/choose_pixels.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "refine/edge_profile.h"
@@ -19,7 +20,7 @@ namespace tagmint::detect {
 
 /// Where a pixel gets its full weight although cells of unknown colour reach into it: the share of
 /// it that they take is this at half the weight.
-inline constexpr float kUnknownShare = 0.05F;
+inline constexpr float kUnknownShare = 0.04F;
 
 /// Numbers that a row needs, as the kernels use them.
 struct RowChoice {
@@ -27,7 +28,9 @@ struct RowChoice {
   float origin_x, per_scale, scale;
   float y;  ///< of the row, frame
   float near_px, per_spread;
-  float last_cell;  ///< width - 1
+  float across_x, across_y;  ///< px from one grid line to the next in the middle of the tag
+  float last_cell;           ///< width - 1
+  int edges;
   const std::int32_t* flags;
   int width;
 };
@@ -66,6 +69,14 @@ HWY_ATTR HWY_INLINE V share_beyond(V t) {
     value = mul_add(value, s, hn::Set(d, static_cast<float>(kEdgeTerms[k])));
   }
   return hn::Sub(hn::Set(d, 0.5F), hn::Mul(t, value));
+}
+
+/// TagPattern::first_line() less the cell, from the place inside it.
+HWY_ATTR HWY_INLINE V first_line(V inside, const RowChoice& c) {
+  const Floats d;
+  if (c.edges == kMiddlingCells) return hn::Zero(d);
+  if (c.edges == kSmallCells) return hn::Set(d, -1.0F);
+  return hn::IfThenElseZero(hn::Ge(inside, hn::Set(d, 0.5F)), hn::Set(d, 1.0F));
 }
 
 /// Writes the chosen pixels of a row behind those that are there, and where they are in the row;
@@ -107,17 +118,10 @@ HWY_ATTR std::size_t choose_in_row(const RowChoice& c, const RowPixels& row,
     const auto has = [&](std::int32_t bits) HWY_ATTR {
       return hn::RebindMask(d, hn::Ne(hn::And(flags, hn::Set(di, bits)), hn::Zero(di)));
     };
-    // Gradients of u and v, cells per unit of the frame.
-    const V ux = hn::Mul(w, hn::Sub(set(g[0]), hn::Mul(u, set(g[6]))));
-    const V uy = hn::Mul(w, hn::Sub(set(g[1]), hn::Mul(u, set(g[7]))));
-    const V vx = hn::Mul(w, hn::Sub(set(g[3]), hn::Mul(v, set(g[6]))));
-    const V vy = hn::Mul(w, hn::Sub(set(g[4]), hn::Mul(v, set(g[7]))));
-    const V across_x = hn::Div(set(c.scale), hn::Sqrt(mul_add(ux, ux, hn::Mul(uy, uy))));
-    const V across_y = hn::Div(set(c.scale), hn::Sqrt(mul_add(vx, vx, hn::Mul(vy, vy))));
-    const V left = hn::Mul(in_x, across_x);
-    const V right = hn::Sub(across_x, left);
-    const V up = hn::Mul(in_y, across_y);
-    const V down = hn::Sub(across_y, up);
+    const V left = hn::Mul(in_x, set(c.across_x));
+    const V right = hn::Sub(set(c.across_x), left);
+    const V up = hn::Mul(in_y, set(c.across_y));
+    const V down = hn::Sub(set(c.across_y), up);
     const auto nearest = [&](std::int32_t l, std::int32_t r, std::int32_t a, std::int32_t b)
                              HWY_ATTR {
                                return hn::Min(hn::Min(hn::IfThenElse(has(l), left, none),
@@ -135,17 +139,54 @@ HWY_ATTR std::size_t choose_in_row(const RowChoice& c, const RowPixels& row,
                             set(1 / kUnknownShare));
     const V weight = hn::Div(one, mul_add(share, share, one));
 
-    const std::size_t at = pixels.size() + chosen;
-    hn::CompressStore(x, wanted, d, pixels.x.data() + at);
-    hn::CompressStore(cell_x, wanted, d, pixels.cell_x.data() + at);
-    hn::CompressStore(cell_y, wanted, d, pixels.cell_y.data() + at);
-    hn::CompressStore(across_x, wanted, d, pixels.across_x.data() + at);
-    hn::CompressStore(across_y, wanted, d, pixels.across_y.data() + at);
-    hn::CompressStore(weight, wanted, d, pixels.weight.data() + at);
-    hn::CompressStore(column, hn::RebindMask(di, wanted), di, columns + chosen);
-    chosen += hn::CountTrue(d, wanted);
+    const V line_x = hn::Add(cell_x, first_line(in_x, c));
+    const V line_y = hn::Add(cell_y, first_line(in_y, c));
+    alignas(64) float values[4][kPixelBlock];
+    hn::Store(x, d, values[0]);
+    hn::Store(line_x, d, values[1]);
+    hn::Store(line_y, d, values[2]);
+    hn::Store(weight, d, values[3]);
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(d, wanted, bits);
+    for (unsigned rest = bits[0] | bits[1] << 8; rest != 0; rest &= rest - 1) {
+      const int lane = std::countr_zero(rest);
+      const std::size_t at = pixels.size() + chosen;
+      pixels.x[at] = values[0][lane];
+      pixels.line_x[at] = values[1][lane];
+      pixels.line_y[at] = values[2][lane];
+      pixels.weight[at] = values[3][lane];
+      columns[chosen] = row.x0 + (k + lane) * row.step;
+      ++chosen;
+    }
   }
   return chosen;
+}
+
+/// Widths of cells and angles between grid lines at all chosen pixels.
+HWY_ATTR void measure_grid(const RowChoice& c, PhotometricPixels& pixels) {
+  const Floats d;
+  const auto set = [&](float value) HWY_ATTR { return hn::Set(d, value); };
+  const V one = set(1);
+  const auto& g = c.to_cells;
+  for (std::size_t i = 0; i < pixels.blocks() * kPixelBlock; i += hn::Lanes(d)) {
+    const V x = hn::LoadU(d, pixels.x.data() + i);
+    const V y = hn::LoadU(d, pixels.y.data() + i);
+    const V w = hn::Div(one, mul_add(x, set(g[6]), mul_add(y, set(g[7]), one)));
+    const V u = hn::Mul(mul_add(x, set(g[0]), mul_add(y, set(g[1]), set(g[2]))), w);
+    const V v = hn::Mul(mul_add(x, set(g[3]), mul_add(y, set(g[4]), set(g[5]))), w);
+    // Gradients of u and v, cells per unit of the frame, without the common factor w.
+    const V ux = hn::Sub(set(g[0]), hn::Mul(u, set(g[6])));
+    const V uy = hn::Sub(set(g[1]), hn::Mul(u, set(g[7])));
+    const V vx = hn::Sub(set(g[3]), hn::Mul(v, set(g[6])));
+    const V vy = hn::Sub(set(g[4]), hn::Mul(v, set(g[7])));
+    const V per_u = hn::Div(one, hn::Sqrt(mul_add(ux, ux, hn::Mul(uy, uy))));
+    const V per_v = hn::Div(one, hn::Sqrt(mul_add(vx, vx, hn::Mul(vy, vy))));
+    const V scale = hn::Div(set(c.scale), w);
+    hn::StoreU(hn::Mul(scale, per_u), d, pixels.across_x.data() + i);
+    hn::StoreU(hn::Mul(scale, per_v), d, pixels.across_y.data() + i);
+    hn::StoreU(hn::Mul(hn::Mul(per_u, per_v), mul_add(ux, vx, hn::Mul(uy, vy))), d,
+               pixels.cosine.data() + i);
+  }
 }
 
 }  // namespace
@@ -158,6 +199,7 @@ namespace tagmint::detect {
 namespace {
 
 HWY_EXPORT(choose_in_row);
+HWY_EXPORT(measure_grid);
 
 /// Rows of the image that a region touches: [first, end).
 struct Rows {
@@ -177,36 +219,58 @@ Rows rows_of(ImageView image, const Corners& region) {
           static_cast<int>(std::clamp(std::ceil(bottom + 0.5), 0.0, height))};
 }
 
-/// Pixels of row y whose centres lie in the region, one in `step`; rows begin in different places,
-/// so that no direction of edges is left out.
-RowPixels pixels_of_row(ImageView image, const Corners& region, int y, int step) {
-  const double middle = y + 0.5;
-  double left = image.width;
-  double right = 0;
-  for (int i = 0; i < 4; ++i) {
-    const Point a = region[i];
-    const Point b = region[(i + 1) % 4];
-    if ((a.y <= middle) == (b.y <= middle)) continue;
-    const double x = a.x + (middle - a.y) * (b.x - a.x) / (b.y - a.y);
-    left = std::min(left, x);
-    right = std::max(right, x);
+/// A convex region cut into rows.
+class RegionRows {
+ public:
+  RegionRows(ImageView image, const Corners& region, int step)
+      : width_(image.width), step_(step), turn_(std::max(1, (step * 3 + 4) / 8)) {
+    for (int i = 0; i < 4; ++i) {
+      const Point a = region[i];
+      const Point b = region[(i + 1) % 4];
+      const double slope = (b.x - a.x) / (b.y - a.y);
+      sides_[i] = {std::min(a.y, b.y), std::max(a.y, b.y), a.x - slope * a.y, slope};
+    }
   }
-  const int begin = std::max(0, static_cast<int>(std::ceil(left - 0.5)));
-  const int end = static_cast<int>(std::floor(std::min<double>(right, image.width) - 0.5)) + 1;
-  // Steps near 0.38 of a period fill it evenly, row by row.
-  const int turn = std::max(1, (step * 3 + 4) / 8);
-  const int wanted = (y % step) * turn % step;
-  const int first = begin + ((wanted - begin) % step + step) % step;
-  return {first, step, first < end ? (end - first + step - 1) / step : 0};
-}
+
+  /// Pixels of row y whose centres lie in the region, one in `step`; rows begin in different places,
+  /// so that no direction of edges is left out.
+  RowPixels row(int y) const {
+    const double middle = y + 0.5;
+    double left = width_;
+    double right = 0;
+    for (const Side& side : sides_) {
+      if (middle < side.top || middle >= side.bottom) continue;
+      const double x = side.at_zero + side.slope * middle;
+      left = std::min(left, x);
+      right = std::max(right, x);
+    }
+    const int begin = static_cast<int>(std::max(0.0, left - 0.5) + 0.999999);
+    const int end = static_cast<int>(std::min<double>(right, width_) + 0.5);
+    // Steps near 0.38 of a period fill it evenly, row by row.
+    const int wanted = (y % step_) * turn_ - begin;
+    const int first = begin + (wanted % step_ + step_) % step_;
+    return {first, step_, first < end ? (end - first + step_ - 1) / step_ : 0};
+  }
+
+ private:
+  struct Side {
+    double top, bottom, at_zero, slope;
+  };
+
+  int width_;
+  int step_;
+  int turn_;
+  std::array<Side, 4> sides_{};
+};
 
 }  // namespace
 
 std::size_t most_pixels(ImageView image, const Corners& region, int step) {
+  const RegionRows rows_of_region(image, region, step);
   std::size_t sum = 0;
   const Rows rows = rows_of(image, region);
   for (int y = rows.first; y < rows.end; ++y) {
-    sum += static_cast<std::size_t>(pixels_of_row(image, region, y, step).count);
+    sum += static_cast<std::size_t>(rows_of_region.row(y).count);
   }
   return sum;
 }
@@ -221,13 +285,19 @@ void choose_pixels(ImageView image, const TagPattern& pattern, const PixelChoice
   row_choice.near_px = static_cast<float>(choice.near_px);
   row_choice.per_spread = static_cast<float>(1 / choice.spread_px);
   row_choice.last_cell = static_cast<float>(pattern.width() - 1);
+  row_choice.across_x =
+      static_cast<float>(choice.frame.scale_px / std::hypot(choice.to_cells[0], choice.to_cells[1]));
+  row_choice.across_y =
+      static_cast<float>(choice.frame.scale_px / std::hypot(choice.to_cells[3], choice.to_cells[4]));
+  row_choice.edges = pattern.edges();
   row_choice.flags = pattern.flags().data();
   row_choice.width = pattern.width();
-  const int words = words_for_reach(pattern.reach());
+  const int words = words_for_edges(pattern.edges());
   const Rows rows = rows_of(image, region);
+  const RegionRows rows_of_region(image, region, choice.step);
   std::vector<std::int32_t>& columns = pixels.columns;
   for (int y = rows.first; y < rows.end; ++y) {
-    const RowPixels row = pixels_of_row(image, region, y, choice.step);
+    const RowPixels row = rows_of_region.row(y);
     if (row.count == 0 || pixels.size() + row.count > pixels.capacity()) continue;
     row_choice.y = static_cast<float>((y + 0.5 - choice.frame.origin.y) / choice.frame.scale_px);
     const std::size_t chosen =
@@ -237,13 +307,14 @@ void choose_pixels(ImageView image, const TagPattern& pattern, const PixelChoice
       const std::size_t at = pixels.size() + i;
       pixels.y[at] = row_choice.y;
       pixels.gray[at] = grays[columns[i]];
-      const CellSurroundings& around = pattern.surroundings(pattern.index(
-          static_cast<int>(pixels.cell_x[at]), static_cast<int>(pixels.cell_y[at])));
+      const CellSurroundings& around = pattern.surroundings(
+          static_cast<int>(pixels.line_x[at]), static_cast<int>(pixels.line_y[at]));
       for (int k = 0; k < words; ++k) pixels.pattern[k][at] = around.words[k];
     }
     pixels.grow(chosen);
   }
   pixels.pad();
+  HWY_DYNAMIC_DISPATCH(measure_grid)(row_choice, pixels);
 }
 
 namespace scalar {
@@ -271,16 +342,23 @@ bool choose_pixel(const TagPattern& pattern, const PixelChoice& choice, Point at
   if (!(w > 0 && u >= 0 && v >= 0 && u < width && v < width)) return false;
   pixel.x = p.x;
   pixel.y = p.y;
-  pixel.cell_x = static_cast<int>(u);
-  pixel.cell_y = static_cast<int>(v);
+  const int cell_x = static_cast<int>(u);
+  const int cell_y = static_cast<int>(v);
+  pixel.line_x = pattern.first_line(u, cell_x);
+  pixel.line_y = pattern.first_line(v, cell_y);
   const double scale = choice.frame.scale_px / (w * ideal_px_per_px);
-  pixel.across_x = scale / std::hypot(g[0] - u * g[6], g[1] - u * g[7]);
-  pixel.across_y = scale / std::hypot(g[3] - v * g[6], g[4] - v * g[7]);
-  const double in_x = u - pixel.cell_x;
-  const double in_y = v - pixel.cell_y;
-  const std::array<double, 4> sides = {in_x * pixel.across_x, (1 - in_x) * pixel.across_x,
-                                       in_y * pixel.across_y, (1 - in_y) * pixel.across_y};
-  const std::int32_t flags = pattern.flags()[pattern.index(pixel.cell_x, pixel.cell_y)];
+  const Point across_u{g[0] - u * g[6], g[1] - u * g[7]};
+  const Point across_v{g[3] - v * g[6], g[4] - v * g[7]};
+  pixel.across_x = scale / length(across_u);
+  pixel.across_y = scale / length(across_v);
+  pixel.cosine = dot(across_u, across_v) / (length(across_u) * length(across_v));
+  const double in_x = u - cell_x;
+  const double in_y = v - cell_y;
+  const double middle_x = choice.frame.scale_px / std::hypot(g[0], g[1]);
+  const double middle_y = choice.frame.scale_px / std::hypot(g[3], g[4]);
+  const std::array<double, 4> sides = {in_x * middle_x, (1 - in_x) * middle_x, in_y * middle_y,
+                                       (1 - in_y) * middle_y};
+  const std::int32_t flags = pattern.flags()[pattern.index(cell_x, cell_y)];
   if (nearest_side(flags,
                    {TagPattern::kChangeLeft, TagPattern::kChangeRight, TagPattern::kChangeUp,
                     TagPattern::kChangeDown},
@@ -301,8 +379,9 @@ bool choose_pixel(const TagPattern& pattern, const PixelChoice& choice, Point at
 void choose_pixels(ImageView image, const TagPattern& pattern, const PixelChoice& choice,
                    const Corners& region, const PixelMapping* mapping, PhotometricPixels& pixels) {
   const Rows rows = rows_of(image, region);
+  const RegionRows rows_of_region(image, region, choice.step);
   for (int y = rows.first; y < rows.end; ++y) {
-    const RowPixels row = pixels_of_row(image, region, y, choice.step);
+    const RowPixels row = rows_of_region.row(y);
     for (int k = 0; k < row.count && pixels.size() < pixels.capacity(); ++k) {
       const int x = row.x0 + k * row.step;
       const Point centre{x + 0.5, y + 0.5};
@@ -312,7 +391,7 @@ void choose_pixels(ImageView image, const TagPattern& pattern, const PixelChoice
         continue;
       }
       pixel.gray = image.at(x, y);
-      pixels.add(pixel, pattern.surroundings(pattern.index(pixel.cell_x, pixel.cell_y)));
+      pixels.add(pixel, pattern.surroundings(pixel.line_x, pixel.line_y));
     }
   }
   pixels.pad();

@@ -28,8 +28,8 @@ std::array<Point, 4> border_corners(const TagPattern& pattern) {
   return square_corners(pattern.border_begin(), pattern.border_end());
 }
 
-std::array<Point, 4> outer_corners(const TagPattern& pattern) {
-  return square_corners(0, pattern.width());
+std::array<Point, 4> outer_corners(const TagPattern& pattern, double inset) {
+  return square_corners(inset, pattern.width() - inset);
 }
 
 std::optional<std::array<double, 8>> map_to_cells(const Corners& ideal_corners,

@@ -13,23 +13,26 @@ int mixed_difference(const CellSurroundings& around, int code) {
   return static_cast<int>((bits & 0xf) ^ 8) - 8;
 }
 
-/// P_0 .. P_2r at a place, and their derivatives by the place (in cells) and by ln of the spread.
+/// P_0 .. P_edges at a place, and their derivatives by the place (in cells), by ln of the spread and by
+/// tails.
 struct EdgeRow {
-  std::array<double, 2 * kMaxCellReach + 1> share{1};
-  std::array<double, 2 * kMaxCellReach + 1> by_place{};
-  std::array<double, 2 * kMaxCellReach + 1> by_spread{};
+  std::array<double, kSmallCells + 1> share{1};
+  std::array<double, kSmallCells + 1> by_place{};
+  std::array<double, kSmallCells + 1> by_spread{};
+  std::array<double, kSmallCells + 1> by_tails{};
 };
 
-///   inside       place in its cell, 0..1
+///   beyond       place from the first grid line, cells
 ///   per_spread   standard deviations from one grid line to the next
-EdgeRow edges_around(double inside, double per_spread, int reach) {
+EdgeRow edges_around(double beyond, double per_spread, double tails, int edges) {
   EdgeRow row;
-  for (int a = 1; a <= 2 * reach; ++a) {
-    const double t = (inside + reach - a) * per_spread;
-    const EdgeValue edge = edge_profile(t);
+  for (int a = 1; a <= edges; ++a) {
+    const double t = (beyond + 1 - a) * per_spread;
+    const EdgeValue edge = edge_profile(t, tails);
     row.share[a] = edge.share;
     row.by_place[a] = edge.slope * per_spread;
     row.by_spread[a] = -t * edge.slope;
+    row.by_tails[a] = edge.by_tails;
   }
   return row;
 }
@@ -40,11 +43,16 @@ struct Whiteness {
   double by_x = 0;  // by the place, in cells
   double by_y = 0;
   double by_spread = 0;
+  double by_tails = 0;
 };
 
-Whiteness mix(const CellSurroundings& around, int reach, const EdgeRow& x, const EdgeRow& y) {
+///   per_x, per_y   standard deviations from one grid line to the next
+///   cosine         where the grid lines are not at right angles, blur across x goes with blur across
+///                  y: two terms of the series of the bivariate normal integral in it
+Whiteness mix(const CellSurroundings& around, int edges, const EdgeRow& x, const EdgeRow& y,
+              double per_x, double per_y, double cosine) {
   Whiteness sum;
-  const int side = 2 * reach + 1;
+  const int side = edges + 1;
   for (int b = 0; b < side; ++b) {
     for (int a = 0; a < side; ++a) {
       // Half, because brightness counts twice.
@@ -53,6 +61,13 @@ Whiteness mix(const CellSurroundings& around, int reach, const EdgeRow& x, const
       sum.by_x += m * x.by_place[a] * y.share[b];
       sum.by_y += m * x.share[a] * y.by_place[b];
       sum.by_spread += m * (x.by_spread[a] * y.share[b] + x.share[a] * y.by_spread[b]);
+      sum.by_tails += m * (x.by_tails[a] * y.share[b] + x.share[a] * y.by_tails[b]);
+      const double density_x = x.by_place[a] / per_x;
+      const double density_y = y.by_place[b] / per_y;
+      sum.share += m * cosine *
+                   (density_x * density_y + cosine / 2 * x.by_spread[a] * y.by_spread[b]);
+      sum.by_x += m * cosine * per_x * x.by_spread[a] * density_y;
+      sum.by_y += m * cosine * per_y * density_x * y.by_spread[b];
     }
   }
   return sum;
@@ -69,6 +84,7 @@ PhotometricParameters moved(const PhotometricParameters& parameters,
   p.light_x += step[kLightX];
   p.light_y += step[kLightY];
   p.log_spread += step[kLogSpread];
+  p.tails += step[kTails];
   p.tone += step[kTone];
   return p;
 }
@@ -80,12 +96,13 @@ PhotometricPrediction predict(const TagPattern& pattern, const PhotometricPixel&
   const double u = (g[0] * pixel.x + g[1] * pixel.y + g[2]) * w;
   const double v = (g[3] * pixel.x + g[4] * pixel.y + g[5]) * w;
   const double per_px = std::exp(-parameters.log_spread);
-  const int reach = pattern.reach();
-  const EdgeRow across_x = edges_around(u - pixel.cell_x, pixel.across_x * per_px, reach);
-  const EdgeRow across_y = edges_around(v - pixel.cell_y, pixel.across_y * per_px, reach);
-  const Whiteness white =
-      mix(pattern.surroundings(pattern.index(pixel.cell_x, pixel.cell_y)), reach, across_x,
-          across_y);
+  const int edges = pattern.edges();
+  const double per_x = pixel.across_x * per_px;
+  const double per_y = pixel.across_y * per_px;
+  const Whiteness white = mix(
+      pattern.surroundings(pixel.line_x, pixel.line_y), edges,
+      edges_around(u - pixel.line_x, per_x, parameters.tails, edges),
+      edges_around(v - pixel.line_y, per_y, parameters.tails, edges), per_x, per_y, pixel.cosine);
 
   const double t = white.share;
   const double toned = t + parameters.tone * t * (1 - t);
@@ -111,6 +128,7 @@ PhotometricPrediction predict(const TagPattern& pattern, const PhotometricPixel&
                       pixel.x * in_full_light,
                       pixel.y * in_full_light,
                       by_share * white.by_spread,
+                      by_share * white.by_tails,
                       light * parameters.contrast * t * (1 - t)};
   return prediction;
 }

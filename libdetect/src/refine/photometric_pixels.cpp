@@ -8,7 +8,8 @@ void PhotometricPixels::reset(std::size_t most) {
   const std::size_t room = (most + 2 * kPixelBlock - 1) / kPixelBlock * kPixelBlock + kPixelBlock;
   size_ = 0;
   if (x.size() >= room) return;
-  for (std::vector<float>* values : {&x, &y, &gray, &cell_x, &cell_y, &across_x, &across_y, &weight}) {
+  for (std::vector<float>* values : {&x, &y, &gray, &line_x, &line_y, &across_x, &across_y, &cosine,
+                                     &weight}) {
     values->resize(room);
   }
   for (std::vector<std::uint32_t>& words : pattern) words.resize(room);
@@ -20,10 +21,11 @@ void PhotometricPixels::add(const PhotometricPixel& pixel, const CellSurrounding
   x[size_] = static_cast<float>(pixel.x);
   y[size_] = static_cast<float>(pixel.y);
   gray[size_] = static_cast<float>(pixel.gray);
-  cell_x[size_] = static_cast<float>(pixel.cell_x);
-  cell_y[size_] = static_cast<float>(pixel.cell_y);
+  line_x[size_] = static_cast<float>(pixel.line_x);
+  line_y[size_] = static_cast<float>(pixel.line_y);
   across_x[size_] = static_cast<float>(pixel.across_x);
   across_y[size_] = static_cast<float>(pixel.across_y);
+  cosine[size_] = static_cast<float>(pixel.cosine);
   weight[size_] = static_cast<float>(pixel.weight);
   for (int word = 0; word < kMaxPatternWords; ++word) pattern[word][size_] = around.words[word];
   ++size_;
@@ -31,7 +33,9 @@ void PhotometricPixels::add(const PhotometricPixel& pixel, const CellSurrounding
 
 void PhotometricPixels::pad() {
   for (std::size_t i = size_; i < blocks() * kPixelBlock; ++i) {
-    for (std::vector<float>* values : {&x, &y, &gray, &cell_x, &cell_y, &weight}) (*values)[i] = 0;
+    for (std::vector<float>* values : {&x, &y, &gray, &line_x, &line_y, &cosine, &weight}) {
+      (*values)[i] = 0;
+    }
     across_x[i] = across_y[i] = 1;
     for (std::vector<std::uint32_t>& words : pattern) words[i] = 0;
   }
@@ -41,10 +45,11 @@ PhotometricPixel PhotometricPixels::pixel(std::size_t i) const {
   return {x[i],
           y[i],
           gray[i],
-          static_cast<int>(cell_x[i]),
-          static_cast<int>(cell_y[i]),
+          static_cast<int>(line_x[i]),
+          static_cast<int>(line_y[i]),
           across_x[i],
           across_y[i],
+          cosine[i],
           weight[i]};
 }
 

@@ -11,7 +11,7 @@ namespace tagmint::detect {
 
 /// Pixels are worked on in blocks of so many, whatever the vectors of the machine, so that sums come
 /// out the same everywhere.
-inline constexpr int kPixelBlock = 8;
+inline constexpr int kPixelBlock = 16;
 
 /// Pixels that take part in a fit, one array a quantity (PhotometricPixel says what they mean),
 /// padded to whole blocks with pixels of no weight.
@@ -33,7 +33,7 @@ class PhotometricPixels {
   void pad();
   PhotometricPixel pixel(std::size_t i) const;
 
-  std::vector<float> x, y, gray, cell_x, cell_y, across_x, across_y, weight;
+  std::vector<float> x, y, gray, line_x, line_y, across_x, across_y, cosine, weight;
   std::array<std::vector<std::uint32_t>, kMaxPatternWords> pattern;
   std::vector<std::int32_t> columns;  ///< scratch of choose_pixels(), as long as the others
 

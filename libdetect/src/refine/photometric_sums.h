@@ -27,10 +27,10 @@ struct PhotometricPass {
 };
 
 /// Sums over pixels, with the vectors of the machine; the same bits with all of them.
-///   pattern_reach   of the pattern that the pixels' words are from
-///   cost            per pixel some 4 ns with `normal`, 2 ns without (AVX2)
+///   edges   of the pattern that the pixels' words are from
+///   cost    docs/refinement.md
 PhotometricSums photometric_sums(const PhotometricPixels& pixels,
-                                 const PhotometricParameters& parameters, int pattern_reach,
+                                 const PhotometricParameters& parameters, int edges,
                                  const PhotometricPass& pass);
 
 namespace scalar {

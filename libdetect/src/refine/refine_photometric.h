@@ -12,6 +12,9 @@ namespace tagmint::detect {
 struct PhotometricOptions {
   /// The lens through which straight sides look curved; without it they are taken for straight.
   std::optional<Camera> lens;
+  bool inverted = false;  ///< the tag is printed with black for white
+  bool mirrored = false;  ///< the tag is printed left for right; corners are those of the picture of
+                          ///< an upright tag in the same place
   /// Pixels looked at in a tag; of larger tags some are left out. Measured: docs/refinement.md.
   std::size_t most_pixels = 1500;
 };

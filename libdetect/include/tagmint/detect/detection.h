@@ -21,6 +21,13 @@ struct Detection {
   double decision_margin =
       0;  ///< mean gray-level distance of the bits from the black/white threshold, 0..255; the
           ///< smaller of the white cells' mean and the black cells' mean
+  double margin_to_noise = 0;  ///< decision_margin over the scatter of the border's cells
+  /// Logarithm of how much more probable the tag is than something else in a border, from the cells
+  /// one by one and from how often words are taken for tags of this family with as many errors.
+  double log_odds = 0;
+  bool inverted = false;  ///< printed with black for white; only where asked for
+  bool mirrored = false;  ///< printed left for right; only where asked for. Corners and homography
+                          ///< are those of the tag, so they go clockwise as seen.
   Point center;           ///< image of the tag's middle (0, 0)
   Corners corners;        ///< of the border square, in the order of kTagCorners
   Homography homography;  ///< tag [-1,1]^2 -> image; row-major scaled so that h22 = 1

@@ -41,6 +41,10 @@ struct DetectorOptions {
   double decode_sharpening =
       0.25;  ///< weight of the 4-neighbour Laplacian on the sampled cells; 0 = off
   double min_decision_margin = 0;  ///< detections below are dropped
+  double min_log_odds = 0;         ///< detections with Detection::log_odds below are dropped
+  bool read_harder = true;         ///< read quads without a codeword again, for shadow and blur
+  bool report_inverted = false;    ///< find tags printed with black for white, and say so
+  bool report_mirrored = false;    ///< find tags printed left for right, and say so
 
   // After stage 8, tags.
   /// Find the corners of each tag again from all edges that its word draws, with their covariance.
