@@ -146,8 +146,10 @@ std::span<const Quad> TrackerPath::find_quads(ImageView full, WorkShare& share, 
   ContrastBand band;
   {
     const StageTimer timer(stats, Stage::NoiseFloor);
-    const int floor = contrast_floor(estimate_noise(working), options_.min_contrast,
-                                     std::max(kMostFloor, options_.min_contrast));
+    int floor = options_.min_contrast;
+    if (options_.contrast_by_noise) {
+      floor = contrast_floor(estimate_noise(working), floor, std::max(kMostFloor, floor));
+    }
     band.floor = static_cast<std::uint8_t>(floor);
   }
   make_bitmaps(working, band, share, stats);
