@@ -8,7 +8,8 @@
 namespace tagmint::detect {
 namespace {
 
-/// Noise raises the contrast floor up to here, gray levels: above, tags in good light would be lost.
+/// Noise raises the contrast floor up to here, gray levels: above, tags in good light would be
+/// lost.
 constexpr int kMostNoiseFloor = 36;
 
 void show_clusters(const Clusters& clusters, DebugSink& debug) {
@@ -27,7 +28,10 @@ PaperPath::PaperPath(const DetectorOptions& o, const QuadKinds& kinds)
       preprocess_options_{.decimate = o.decimate, .blur_sigma_px = o.blur_sigma_px},
       threshold_options_{.min_contrast = o.min_contrast},
       cluster_options_{.min_points = o.min_cluster_points,
-                       .min_component_pixels = smallest_ring_pixels(o.min_side_px / o.decimate)},
+                       .min_component_pixels = smallest_ring_pixels(o.min_side_px / o.decimate),
+                       .limits = OutlineLimits{.min_side_px = o.min_side_px / o.decimate,
+                                               .normal_borders = kinds.normal_borders,
+                                               .reversed_borders = kinds.reversed_borders}},
       quad_options_{.max_corner_candidates = o.max_corner_candidates,
                     .max_line_fit_mse_px2 = o.max_line_fit_mse_px2,
                     .critical_angle_deg = o.critical_angle_deg,
@@ -66,7 +70,9 @@ ImageView PaperPath::find_clusters(ImageView full, DetectStats& stats, DebugSink
   }
   {
     const StageTimer timer(stats, Stage::Cluster);
-    cluster(components_, cluster_options_, cluster_scratch_, clusters_, stats);
+    ClusterOptions options = cluster_options_;
+    if (debug) options.limits.reset();  // the picture shows all; stage 5 refuses the same ones
+    cluster(components_, options, cluster_scratch_, clusters_, stats);
   }
   if (debug) show_clusters(clusters_, *debug);
   return working;

@@ -49,7 +49,7 @@ struct DetectorOptions {
   bool refine_photometric = true;
   /// The camera, where its lens distorts: the photometric step then follows sides that are curved in
   /// the picture. Detections stay in the picture's own pixels.
-  std::optional<Camera> lens;
+  std::optional<Camera> lens{};
 
   int threads = 1;  ///< that share the quad fits and decodes of one image; 0 = all cores. The
                     ///< result stays the same.
