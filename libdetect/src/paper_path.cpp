@@ -1,9 +1,16 @@
 #include "paper_path.h"
 
+#include <algorithm>
+
 #include "stage_timer.h"
+#include "tracker/t1_noise_floor.h"
 
 namespace tagmint::detect {
 namespace {
+
+/// Noise raises the contrast floor up to here, gray levels: above, tags in good light would be
+/// lost.
+constexpr int kMostNoiseFloor = 36;
 
 void show_clusters(const Clusters& clusters, DebugSink& debug) {
   std::vector<Point> points;
@@ -16,11 +23,15 @@ void show_clusters(const Clusters& clusters, DebugSink& debug) {
 
 PaperPath::PaperPath(const DetectorOptions& o, const QuadKinds& kinds)
     : refine_edges_(o.refine_edges),
+      contrast_by_noise_(o.contrast_by_noise),
       decimate_(o.decimate),
       preprocess_options_{.decimate = o.decimate, .blur_sigma_px = o.blur_sigma_px},
       threshold_options_{.min_contrast = o.min_contrast},
       cluster_options_{.min_points = o.min_cluster_points,
-                       .min_component_pixels = smallest_ring_pixels(o.min_side_px / o.decimate)},
+                       .min_component_pixels = smallest_ring_pixels(o.min_side_px / o.decimate),
+                       .limits = OutlineLimits{.min_side_px = o.min_side_px / o.decimate,
+                                               .normal_borders = kinds.normal_borders,
+                                               .reversed_borders = kinds.reversed_borders}},
       quad_options_{.max_corner_candidates = o.max_corner_candidates,
                     .max_line_fit_mse_px2 = o.max_line_fit_mse_px2,
                     .critical_angle_deg = o.critical_angle_deg,
@@ -37,9 +48,16 @@ ImageView PaperPath::find_clusters(ImageView full, DetectStats& stats, DebugSink
     working = preprocess(full, preprocess_options_, preprocess_scratch_, preprocessed_);
   }
   if (debug) debug->preprocessed(working);
+  ThresholdOptions threshold_options = threshold_options_;
+  if (contrast_by_noise_) {
+    const StageTimer timer(stats, Stage::NoiseFloor);
+    threshold_options.min_contrast =
+        contrast_floor(estimate_noise(working), threshold_options_.min_contrast,
+                       std::max(kMostNoiseFloor, threshold_options_.min_contrast));
+  }
   {
     const StageTimer timer(stats, Stage::Threshold);
-    threshold(working, threshold_options_, threshold_scratch_, three_valued_);
+    threshold(working, threshold_options, threshold_scratch_, three_valued_);
   }
   if (debug) debug->threshold(three_valued_);
   {
@@ -52,7 +70,9 @@ ImageView PaperPath::find_clusters(ImageView full, DetectStats& stats, DebugSink
   }
   {
     const StageTimer timer(stats, Stage::Cluster);
-    cluster(components_, cluster_options_, cluster_scratch_, clusters_, stats);
+    ClusterOptions options = cluster_options_;
+    if (debug) options.limits.reset();  // the picture shows all; stage 5 refuses the same ones
+    cluster(components_, options, cluster_scratch_, clusters_, stats);
   }
   if (debug) show_clusters(clusters_, *debug);
   return working;

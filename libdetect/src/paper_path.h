@@ -48,6 +48,7 @@ class PaperPath {
   void refine(ImageView full, WorkShare& share, DetectStats& stats);
 
   bool refine_edges_;
+  bool contrast_by_noise_;
   double decimate_;
   PreprocessOptions preprocess_options_;
   ThresholdOptions threshold_options_;

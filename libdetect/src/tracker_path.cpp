@@ -65,7 +65,7 @@ std::span<const Quad> TrackerPath::find_quads(ImageView full, WorkShare& share, 
   double noise = 0;
   {
     const StageTimer timer(stats, Stage::NoiseFloor);
-    noise = estimate_noise(working);
+    if (options_.contrast_by_noise) noise = estimate_noise(working);
   }
   quads_.clear();
   const int floor = contrast_floor(noise, options_.min_contrast, 255);

@@ -28,7 +28,7 @@ std::uint32_t cluster_of(std::uint64_t key, ClusterScratch& s) {
   }
   const auto cluster = static_cast<std::uint32_t>(s.keys.size());
   s.keys.push_back(key);
-  s.counts.push_back(0);
+  s.outlines.emplace_back();
   if (2 * s.keys.size() > slots.size()) {
     slots.assign(2 * slots.size(), {});
     for (std::uint32_t c = 0; c < cluster; ++c) insert(slots, s.keys[c], c);
@@ -37,8 +37,27 @@ std::uint32_t cluster_of(std::uint64_t key, ClusterScratch& s) {
   return cluster;
 }
 
+/// Calls stretch(begin, end, dx, dy) for each stretch of pairs of pixels between two runs that
+/// meet: (x, y) of the upper run and (x + dx, y + dy) of the other, begin <= x < end.
+template <typename Stretch>
+void for_each_stretch(const PixelRun& upper, const PixelRun* lower, const Stretch& stretch) {
+  if (lower == nullptr) {  // its last pixel and the first of the run beside it
+    stretch(upper.end - 1, upper.end, 1, 0);
+    return;
+  }
+  // Below to the left, below, below to the right: where the lower run, moved back by the step,
+  // overlaps the upper one.
+  for (int dx = -1; dx <= 1; ++dx) {
+    const int begin = std::max(upper.begin, lower->begin - dx);
+    const int end = std::min(upper.end, lower->end - dx);
+    if (begin < end) stretch(begin, end, dx, 1);
+  }
+}
+
+int to_white(const PixelRun& upper) { return upper.value == kBlack ? 1 : -1; }
+
 /// One walk over the runs; remembers the pair of components that it met last, because the next
-/// stretch often belongs to the same one.
+/// meeting often belongs to the same one.
 class BoundaryWalk {
  public:
   BoundaryWalk(const Components& components, const ClusterOptions& options, ClusterScratch& scratch)
@@ -57,15 +76,19 @@ class BoundaryWalk {
  private:
   /// Runs [begin, end) of row y, and [end, end_below) of the row below; both in order of x.
   void walk_row(int y, std::size_t begin, std::size_t end, std::size_t end_below) {
-    const std::vector<PixelRun>& runs = components_.runs;
+    const PixelRun* const runs = components_.runs.data();
     std::size_t first = end;
     for (std::size_t i = begin; i < end; ++i) {
       const PixelRun& run = runs[i];
       if (!large_enough(run)) continue;
-      if (i + 1 < end && runs[i + 1].begin == run.end) meet_beside(y, run, runs[i + 1]);
+      if (i + 1 < end && runs[i + 1].begin == run.end && large_enough(runs[i + 1])) {
+        meet(y, i, run, RunMeeting::kBeside, runs[i + 1]);
+      }
       while (first < end_below && runs[first].end < run.begin) ++first;
       for (std::size_t j = first; j < end_below && runs[j].begin <= run.end; ++j) {
-        if (runs[j].value != run.value && large_enough(runs[j])) meet_below(y, run, runs[j]);
+        if (runs[j].value != run.value && large_enough(runs[j])) {
+          meet(y, i, run, static_cast<std::uint32_t>(j), runs[j]);
+        }
       }
     }
   }
@@ -74,21 +97,15 @@ class BoundaryWalk {
     return components_.size[run.component] >= min_component_;
   }
 
-  /// The last pixel of a run and the first of the next one, which then has the other colour.
-  void meet_beside(int y, const PixelRun& run, const PixelRun& next) {
-    if (!large_enough(next)) return;
-    add(cluster_of_pair(run, next), run, run.end - 1, run.end, y, 1, 0);
-  }
-
-  /// All pairs of a pixel of `run` and one of `lower` below it, below to the left or to the right:
-  /// the places where `run` and `lower`, moved by the step, overlap.
-  void meet_below(int y, const PixelRun& run, const PixelRun& lower) {
-    const std::uint32_t cluster = cluster_of_pair(run, lower);
-    for (int dx = -1; dx <= 1; ++dx) {
-      const int begin = std::max(run.begin, lower.begin - dx);
-      const int end = std::min(run.end, lower.end - dx);
-      if (begin < end) add(cluster, run, begin, end, y, dx, 1);
-    }
+  void meet(int y, std::size_t upper_index, const PixelRun& upper, std::uint32_t lower_index,
+            const PixelRun& other) {
+    const std::uint32_t cluster = cluster_of_pair(upper, other);
+    scratch_.meetings.push_back({cluster, static_cast<std::uint32_t>(upper_index), lower_index, y});
+    OutlineSums& outline = scratch_.outlines[cluster];
+    for_each_stretch(upper, lower_index == RunMeeting::kBeside ? nullptr : &other,
+                     [&](int begin, int end, int dx, int dy) {
+                       outline.add(begin, end, y, dx, dy, to_white(upper));
+                     });
   }
 
   std::uint32_t cluster_of_pair(const PixelRun& a, const PixelRun& b) {
@@ -102,13 +119,6 @@ class BoundaryWalk {
     return last_cluster_;
   }
 
-  void add(std::uint32_t cluster, const PixelRun& run, int begin, int end, int y, int dx, int dy) {
-    scratch_.counts[cluster] += static_cast<std::size_t>(end - begin);
-    scratch_.stretches.push_back({cluster, begin, end, y, static_cast<std::int8_t>(dx),
-                                  static_cast<std::int8_t>(dy),
-                                  static_cast<std::int8_t>(run.value == kBlack ? 1 : -1)});
-  }
-
   const Components& components_;
   std::uint32_t min_component_;
   ClusterScratch& scratch_;
@@ -116,34 +126,49 @@ class BoundaryWalk {
   std::uint32_t last_cluster_ = 0;
 };
 
-/// Puts the points of each large enough cluster together: counting sort by cluster. Returns the
-/// number of all points, small clusters included.
-std::size_t gather(const ClusterScratch& found, std::size_t min_points,
-                   std::vector<std::size_t>& targets, Clusters& out) {
-  targets.resize(found.counts.size());
+/// Decides which clusters are kept, and where their points go.
+void choose_clusters(const ClusterOptions& options, ClusterScratch& s, Clusters& out,
+                     DetectStats& stats) {
+  const std::int64_t min_points = std::max(options.min_points, 1);
+  s.targets.resize(s.outlines.size());
+  s.kept.assign(s.outlines.size(), 0);
   out.begin.assign(1, 0);
-  std::size_t all = 0;
-  for (std::size_t c = 0; c < found.counts.size(); ++c) {
-    all += found.counts[c];
-    if (found.counts[c] < min_points) continue;
-    targets[c] = out.begin.back();
-    out.begin.push_back(out.begin.back() + found.counts[c]);
-  }
-  out.points.resize(out.begin.back());
-  for (const BoundaryStretch& s : found.stretches) {
-    if (found.counts[s.cluster] < min_points) continue;
-    BoundaryPoint* point = out.points.data() + targets[s.cluster];
-    targets[s.cluster] += static_cast<std::size_t>(s.end - s.begin);
-    // Half-way between the centres (x, y) + 1/2 and (x + dx, y + dy) + 1/2.
-    const float middle_x = 0.5f * static_cast<float>(1 + s.dx);
-    const float middle_y = static_cast<float>(s.y) + 0.5f * static_cast<float>(1 + s.dy);
-    const auto gx = static_cast<float>(s.to_white * s.dx);
-    const auto gy = static_cast<float>(s.to_white * s.dy);
-    for (int x = s.begin; x < s.end; ++x) {
-      *point++ = {static_cast<float>(x) + middle_x, middle_y, gx, gy};
+  for (std::size_t c = 0; c < s.outlines.size(); ++c) {
+    const std::int64_t points = s.outlines[c].points();
+    stats.boundary_points += points;
+    if (points < min_points) continue;
+    ++stats.clusters;
+    if (options.limits) {
+      const OutlineVerdict verdict = judge_outline(s.outlines[c].outline(), *options.limits);
+      count_refusal(verdict, stats);
+      if (verdict != OutlineVerdict::Promising) continue;
     }
+    s.kept[c] = 1;
+    s.targets[c] = out.begin.back();
+    out.begin.push_back(out.begin.back() + static_cast<std::size_t>(points));
   }
-  return all;
+}
+
+/// Makes the points of the clusters kept, those of each together: counting sort by cluster.
+void make_points(const Components& components, ClusterScratch& s, Clusters& out) {
+  out.points.resize(out.begin.back());
+  for (const RunMeeting& m : s.meetings) {
+    if (s.kept[m.cluster] == 0) continue;
+    const PixelRun& upper = components.runs[m.upper];
+    const PixelRun* lower = m.lower == RunMeeting::kBeside ? nullptr : &components.runs[m.lower];
+    BoundaryPoint* point = out.points.data() + s.targets[m.cluster];
+    for_each_stretch(upper, lower, [&](int begin, int end, int dx, int dy) {
+      // Half-way between the centres (x, y) + 1/2 and (x + dx, y + dy) + 1/2.
+      const float middle_x = 0.5f * static_cast<float>(1 + dx);
+      const float middle_y = static_cast<float>(m.y) + 0.5f * static_cast<float>(1 + dy);
+      const auto gx = static_cast<float>(to_white(upper) * dx);
+      const auto gy = static_cast<float>(to_white(upper) * dy);
+      for (int x = begin; x < end; ++x) {
+        *point++ = {static_cast<float>(x) + middle_x, middle_y, gx, gy};
+      }
+    });
+    s.targets[m.cluster] = static_cast<std::size_t>(point - out.points.data());
+  }
 }
 
 }  // namespace
@@ -153,13 +178,11 @@ void cluster(const Components& components, const ClusterOptions& options, Cluste
   constexpr std::size_t kFirstSlots = 1024;
   scratch.table.slots.assign(std::max(scratch.table.slots.size(), kFirstSlots), {});
   scratch.keys.clear();
-  scratch.counts.clear();
-  scratch.stretches.clear();
+  scratch.outlines.clear();
+  scratch.meetings.clear();
   BoundaryWalk(components, options, scratch).run();
-  const std::size_t points = gather(
-      scratch, static_cast<std::size_t>(std::max(options.min_points, 1)), scratch.targets, out);
-  stats.boundary_points += static_cast<std::int64_t>(points);
-  stats.clusters += static_cast<std::int64_t>(out.count());
+  choose_clusters(options, scratch, out, stats);
+  make_points(components, scratch, out);
 }
 
 }  // namespace tagmint::detect

@@ -4,57 +4,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "pipeline/outline.h"
+
 namespace tagmint::detect {
 namespace {
-
-/// What one pass over the unsorted points tells about a contour.
-struct Outline {
-  float left, top, right, bottom;  ///< edges of the smallest upright rectangle about the points
-  double black_area;               ///< pixels inside; negative when they are white, not black
-
-  double width() const { return right - left; }
-  double height() const { return bottom - top; }
-  Point center() const { return {0.5 * (left + right), 0.5 * (top + bottom)}; }
-};
-
-/// The area is half the flux of the position through the boundary (Gauss's theorem). Pairs of
-/// pixels that share an edge are the unit steps of the boundary, their gradient is its outward
-/// normal where black is inside; so its sign also tells the colour. Positions count from the
-/// centre, which keeps the sign right for a contour that has gaps.
-Outline outline_of(std::span<const BoundaryPoint> cluster) {
-  Outline o{cluster[0].x, cluster[0].y, cluster[0].x, cluster[0].y, 0};
-  double flux = 0, normal_x = 0, normal_y = 0;
-  for (const BoundaryPoint& p : cluster) {
-    o.left = std::min(o.left, p.x);
-    o.right = std::max(o.right, p.x);
-    o.top = std::min(o.top, p.y);
-    o.bottom = std::max(o.bottom, p.y);
-    const double step = p.gx == 0 || p.gy == 0 ? 1 : 0;
-    flux += step * (p.x * p.gx + p.y * p.gy);
-    normal_x += step * p.gx;
-    normal_y += step * p.gy;
-  }
-  const Point center = o.center();
-  o.black_area = 0.5 * (flux - center.x * normal_x - center.y * normal_y);
-  return o;
-}
-
-/// Boundary points that the contour of a convex shape with this box has when its sides are upright
-/// and level: 2 (width + height) steps between pixels that share an edge, and two diagonal pairs
-/// for each. Sides at 45 degrees have two thirds as many, one diagonal pair for each step.
-double points_around(const Outline& o) { return 3 * 2 * (o.width() + o.height()); }
-
-/// Bounds for the points of a cluster in units of points_around(). Tags in photographs have 0.69 to
-/// 1.08, up to 1.7 when decimated to a few pixels a side (57 photographs, 291 tags, noise 0, 5 and
-/// 12). More is a ragged shape; half, or less, a boundary that does not close: a line or an angle.
-constexpr double kMostPoints = 2.0;
-constexpr double kFewestPoints = 0.55;
-
-/// Bounds for the pixels inside a contour as a share of the area of its quad. Squares of 5 to 20 px
-/// in any position, with noise of 0 and 15 levels, have 0.97 to 1.07, tags in photographs 0.99 to
-/// 1.02 and 0.6 to 1.2 when decimated to their last legible pixels. Quads fitted to noise have any.
-constexpr double kSmallestShare = 0.6;
-constexpr double kLargestShare = 1.3;
 
 /// A number in [0, 4] that grows with the angle of (x, y) as seen, counter-clockwise from the right
 /// (y down), without a trigonometric function: the place where the ray meets |x| + |y| = 1.
@@ -140,18 +93,13 @@ std::optional<Quad> fit_quad(std::span<const BoundaryPoint> cluster, ImageView w
     return std::nullopt;
   };
   if (cluster.empty()) return refuse(stats.clusters_too_small);
-  const auto count = static_cast<double>(cluster.size());
-  const double min_area = options.min_side_px * options.min_side_px;
   const Outline outline = outline_of(cluster);
-  if (outline.width() * outline.height() < min_area) return refuse(stats.clusters_too_small);
-  if (count > kMostPoints * points_around(outline)) return refuse(stats.clusters_too_large);
-  if (count < kFewestPoints * points_around(outline)) return refuse(stats.clusters_open);
-  const bool reversed = outline.black_area < 0;
-  if (reversed ? !options.reversed_borders : !options.normal_borders) {
-    return refuse(stats.wrong_border_colour);
+  const OutlineVerdict verdict = judge_outline(
+      outline, {options.min_side_px, options.normal_borders, options.reversed_borders});
+  if (verdict != OutlineVerdict::Promising) {
+    count_refusal(verdict, stats);
+    return std::nullopt;
   }
-  const double area = std::abs(outline.black_area);
-  if (area < kSmallestShare * min_area) return refuse(stats.clusters_too_small);
 
   const Point center = outline.center();
   sort_points(cluster, working, center, scratch);
@@ -165,13 +113,14 @@ std::optional<Quad> fit_quad(std::span<const BoundaryPoint> cluster, ImageView w
                                    {options.max_line_fit_mse_px2, max_cosine}, scratch.corners);
   if (!best) return refuse(stats.bad_fit);
   const std::optional<Corners> corners = meet(best->sides, center);
-  if (!corners || !has_shape_of_tag(*corners, min_area, max_cosine)) {
+  if (!corners ||
+      !has_shape_of_tag(*corners, options.min_side_px * options.min_side_px, max_cosine)) {
     return refuse(stats.bad_shape);
   }
-  const double share = area / -signed_area(*corners);
-  if (share < kSmallestShare || share > kLargestShare) return refuse(stats.bad_shape);
+  const double share = std::abs(outline.black_area) / -signed_area(*corners);
+  if (share < kSmallestFilledShare || share > kLargestFilledShare) return refuse(stats.bad_shape);
   ++stats.quads;
-  return Quad{*corners, reversed};
+  return Quad{*corners, outline.reversed()};
 }
 
 }  // namespace tagmint::detect

@@ -51,11 +51,12 @@ Corners turned_square(Point centre, double side_px, double angle_rad) {
   return corners;
 }
 
-scene::Scene grid_scene(double side_px, const PictureSize& largest, std::uint64_t seed) {
+scene::Scene grid_scene(double side_px, int quiet_zone_cells, const PictureSize& largest,
+                        std::uint64_t seed) {
   constexpr int kColumns = 16;
   constexpr int kRows = 12;
-  // With its white ring a tag36h11 is 1.25 sides wide, its diagonal 1.77.
-  const double pitch = 1.8 * side_px + 4;
+  // Eight cells, the white ring and the quiet zone on both sides, along the diagonal.
+  const double pitch = std::numbers::sqrt2 * (10 + 2 * quiet_zone_cells) / 8 * side_px + 4;
   const int columns = std::clamp(static_cast<int>(largest.width / pitch), 1, kColumns);
   const int rows = std::clamp(static_cast<int>(largest.height / pitch), 1, kRows);
   scene::Scene scene;
@@ -63,7 +64,7 @@ scene::Scene grid_scene(double side_px, const PictureSize& largest, std::uint64_
   scene.height = static_cast<int>(std::ceil(rows * pitch));
   scene.camera = scene::default_camera(scene.width, scene.height);
   scene.background = scene::PlainBackground{130};
-  scene.quiet_zone_cells = 0;  // the white ring of one cell is the tag's own
+  scene.quiet_zone_cells = quiet_zone_cells;
   scene.seed = seed;
   scene::RandomStream random(scene::mix_bits(seed));
   const codec::SharedFamily family = codec::find_family("tag36h11");

@@ -23,8 +23,10 @@ scene::Effects camera_effects(double noise, double blur_px = 0.7);
 
 /// Tags of tag36h11 in a grid, each turned and moved by up to half a pixel at random, on plain
 /// gray: as many as fit, 192 at most. The picture is as large as they need.
-///   side_px   of the border squares, seen from the front
-scene::Scene grid_scene(double side_px, const PictureSize& largest, std::uint64_t seed);
+///   side_px            of the border squares, seen from the front
+///   quiet_zone_cells   around the white ring of one cell that is the tag's own
+scene::Scene grid_scene(double side_px, int quiet_zone_cells, const PictureSize& largest,
+                        std::uint64_t seed);
 
 /// Corners of a square of the given side about `centre`, turned clockwise as seen.
 detect::Corners turned_square(detect::Point centre, double side_px, double angle_rad);

@@ -43,8 +43,8 @@ Corners corners_of(const scene::SceneTag& tag, const Scene& scene) {
 Point middle_of(const Corners& c) { return 0.25 * (c[0] + c[1] + c[2] + c[3]); }
 double side_of(const Corners& c) { return std::sqrt(std::abs(signed_area(c))); }
 
-/// Each tag's paper half in shadow: a square whose one side passes the tag's middle within a
-/// quarter of a side, in any direction, wide enough for the paper but not for the tags beside it.
+/// A shadow on each tag: a square whose one side passes the tag's middle within 0.7 sides, in any
+/// direction, wide enough for the tag's paper.
 void shadow_every_tag(double light, Scene& scene, RandomStream& random) {
   for (const scene::SceneTag& tag : scene.tags) {
     const Corners corners = corners_of(tag, scene);
@@ -52,7 +52,7 @@ void shadow_every_tag(double light, Scene& scene, RandomStream& random) {
     const double direction = random.uniform(0, 2 * std::numbers::pi);
     const Point along{std::cos(direction), std::sin(direction)};
     const Point across{-along.y, along.x};
-    const Point edge = middle_of(corners) + random.uniform(-0.5, 0.5) * side * across;
+    const Point edge = middle_of(corners) + random.uniform(-0.7, 0.7) * side * across;
     const double reach = 1.1 * side;
     scene.effects.shadows.push_back(
         {.polygon = {edge - reach * along, edge + reach * along,
@@ -151,8 +151,8 @@ void add_lit_and_marked(const PictureSize& size, std::vector<PictureSet>& sets) 
   for (const int percent : {50, 40}) {
     const double light = percent / 100.0;
     sets.push_back(changed_set(fmt::format("shadow-{}", percent),
-                               fmt::format("30 tags of 40 to 100 px, a shadow of {} % light over "
-                                           "half of each, noise 2",
+                               fmt::format("30 tags of 40 to 100 px, a shadow of {} % light "
+                                           "across each, noise 2",
                                            percent),
                                options, [light](Scene& scene, RandomStream& random) {
                                  shadow_every_tag(light, scene, random);

@@ -1,13 +1,18 @@
 #include "detector/measure.h"
 
+#include <time.h>
+
 #include <algorithm>
-#include <chrono>
 #include <memory>
 
 namespace tagmint::bench {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+double seconds_now(TimeKind kind) {
+  timespec now{};
+  clock_gettime(kind == TimeKind::Wall ? CLOCK_MONOTONIC : CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
 
 /// A contender at work: its answers and its times by picture.
 struct Entry {
@@ -17,14 +22,15 @@ struct Entry {
   std::vector<std::vector<double>> nanoseconds;  ///< by picture, one for each repetition
 };
 
-double nanoseconds_of(Contender& contender, detect::ImageView image) {
-  const Clock::time_point start = Clock::now();
+double nanoseconds_of(Contender& contender, detect::ImageView image, TimeKind kind) {
+  const double start = seconds_now(kind);
   contender.detect(image);
-  return std::chrono::duration<double, std::nano>(Clock::now() - start).count();
+  return 1e9 * (seconds_now(kind) - start);
 }
 
 std::vector<Picture> draw_all(const PictureSet& set, const MeasureOptions& options) {
-  const int count = set.most > 0 ? std::min(set.most, options.pictures) : options.pictures;
+  int count = options.pictures;
+  if (set.most > 0) count = set.whole ? set.most : std::min(set.most, count);
   std::vector<Picture> pictures;
   for (int i = 0; i < count; ++i) pictures.push_back(set.draw(i, options.seed));
   return pictures;
@@ -66,7 +72,7 @@ std::vector<Row> measure(const PictureSet& set, std::span<const ContenderKind> k
   for (int pass = 0; pass <= options.repetitions; ++pass) {
     for (std::size_t i = 0; i < pictures.size(); ++i) {
       for (Entry& entry : entries) {
-        const double time = nanoseconds_of(*entry.contender, pictures[i].image);
+        const double time = nanoseconds_of(*entry.contender, pictures[i].image, options.time);
         if (pass == 0) {
           judge(entry.contender->found(), pictures[i], entry.score);
         } else {

@@ -9,10 +9,15 @@
 
 namespace tagmint::bench {
 
+/// What a detection's time is: as a clock on the wall shows it, or what the processor worked for
+/// this process (all its threads), which other programs disturb less.
+enum class TimeKind { Wall, Processor };
+
 struct MeasureOptions {
   int pictures = 8;     ///< of each set, as far as it has so many
   int repetitions = 5;  ///< of each detection; the median time counts
   std::uint64_t seed = 1;
+  TimeKind time = TimeKind::Wall;
 };
 
 /// One contender on one set.

@@ -79,7 +79,8 @@ PictureSet labelled_set(const std::string& folder) {
   }
   PictureSet set{.name = "labelled",
                  .about = "photographs; recall and false are agreement with the labels",
-                 .most = static_cast<int>(labels.size())};
+                 .most = static_cast<int>(labels.size()),
+                 .whole = true};
   set.draw = [labels, folder](int index, std::uint64_t) {
     const nlohmann::json& entry = labels.at(static_cast<std::size_t>(index));
     const std::string name = entry.at("file");

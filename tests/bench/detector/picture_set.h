@@ -29,7 +29,8 @@ struct PictureSet {
   std::string name;   ///< "group" or "group-value"
   std::string about;  ///< what the pictures show, for the head of the table
   Task task{};
-  int most = 0;  ///< pictures that there are; 0 = any number
+  int most = 0;        ///< pictures that there are; 0 = any number
+  bool whole = false;  ///< all of them are measured, however few were asked for
   std::function<Picture(int index, std::uint64_t seed)> draw{};  ///< depends on its arguments alone
 
   std::string group() const { return name.substr(0, name.find('-')); }

@@ -17,11 +17,11 @@ const std::string kFamily = "tag36h11";
 constexpr double kCrowdedSide_px = 10;
 
 /// A set of grids of tags of one side.
-PictureSet grid_set(std::string name, std::string about, double side_px,
+PictureSet grid_set(std::string name, std::string about, double side_px, int quiet_zone_cells,
                     const scene::Effects& effects, const PictureSize& size) {
   PictureSet set{.name = std::move(name), .about = std::move(about)};
-  set.draw = [side_px, effects, size](int index, std::uint64_t seed) {
-    scene::Scene scene = grid_scene(side_px, size, picture_seed(seed, index));
+  set.draw = [side_px, quiet_zone_cells, effects, size](int index, std::uint64_t seed) {
+    scene::Scene scene = grid_scene(side_px, quiet_zone_cells, size, picture_seed(seed, index));
     scene.effects = effects;
     return picture_of(scene);
   };
@@ -42,14 +42,16 @@ void add_usual_sets(const PictureSize& size, std::vector<PictureSet>& sets) {
 
 void add_sets_by_size(const PictureSize& size, std::vector<PictureSet>& sets) {
   for (const int side : {8, 9, 10, 11, 12, 13, 15, 18, 23, 30}) {
-    sets.push_back(grid_set(fmt::format("small-{}", side),
-                            fmt::format("tags of {} px from the front, noise 5, blur 0.5 px", side),
-                            side, camera_effects(5, 0.5), size));
+    sets.push_back(grid_set(
+        fmt::format("small-{}", side),
+        fmt::format("tags of {} px from the front, white ring of one cell, noise 5, blur 0.5 px",
+                    side),
+        side, 0, camera_effects(5, 0.5), size));
   }
   for (const int side : {10, 11, 12, 15, 18, 24, 32, 48, 70, 100}) {
     sets.push_back(grid_set(fmt::format("distance-{}", side),
                             fmt::format("tags of {} px from the front, noise 2, blur 0.7 px", side),
-                            side, camera_effects(2), size));
+                            side, 1, camera_effects(2), size));
   }
 }
 

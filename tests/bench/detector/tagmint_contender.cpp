@@ -35,8 +35,13 @@ class TagmintContender : public Contender {
   std::vector<detect::Detection> detections_;
 };
 
-std::unique_ptr<Contender> make_tagmint(const Task& task, double decimate, int /*variant*/) {
+/// Settings that are measured, beside the decimation.
+enum Variant { kTracker, kPaper, kPaperEdges };
+
+std::unique_ptr<Contender> make_tagmint(const Task& task, double decimate, int variant) {
   detect::DetectorOptions options;
+  options.algorithm = variant == kTracker ? detect::Algorithm::Tracker : detect::Algorithm::Paper;
+  options.refine_photometric = variant != kPaperEdges;
   options.decimate = decimate;
   options.threads = task.threads;
   return std::make_unique<TagmintContender>(task, options);
@@ -45,8 +50,13 @@ std::unique_ptr<Contender> make_tagmint(const Task& task, double decimate, int /
 }  // namespace
 
 std::vector<ContenderKind> tagmint_contenders() {
-  return {{.name = "tagmint", .make = make_tagmint},
-          {.name = "tagmint decimate 2", .make = make_tagmint, .decimate = 2}};
+  return {{.name = "tagmint tracker", .make = make_tagmint, .variant = kTracker},
+          {.name = "tagmint paper", .make = make_tagmint, .variant = kPaper},
+          {.name = "tagmint paper, edges alone", .make = make_tagmint, .variant = kPaperEdges},
+          {.name = "tagmint paper, decimate 2",
+           .make = make_tagmint,
+           .decimate = 2,
+           .variant = kPaper}};
 }
 
 }  // namespace tagmint::bench

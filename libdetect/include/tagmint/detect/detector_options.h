@@ -24,6 +24,8 @@ struct DetectorOptions {
 
   // Stage 2, threshold.
   int min_contrast = 5;  ///< gray levels; flatter 3x3 tile neighbourhoods are left out, 0..255
+  /// Raise that with the noise that the picture shows, so that noise alone stays below it.
+  bool contrast_by_noise = true;
 
   // Stage 4, clusters.
   int min_cluster_points = 24;  ///< fewer boundary points are no tag
