@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "cli/cmd_board.h"
 #include "cli/cmd_check.h"
 #include "cli/cmd_choose.h"
 #include "cli/cmd_convert.h"
@@ -29,6 +30,7 @@ std::span<const Command> command_table() {
       encode_command(),
       decode_command(),
       sheet_command(),
+      board_command(),
       render_command(),
       detect_command(),
   };
