@@ -12,6 +12,7 @@
 #include "cli/cmd_families.h"
 #include "cli/cmd_generate.h"
 #include "cli/cmd_info.h"
+#include "cli/cmd_poster.h"
 #include "cli/cmd_render.h"
 #include "cli/cmd_sheet.h"
 
@@ -31,6 +32,7 @@ std::span<const Command> command_table() {
       decode_command(),
       sheet_command(),
       board_command(),
+      poster_command(),
       render_command(),
       detect_command(),
   };
