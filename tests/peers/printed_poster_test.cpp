@@ -28,8 +28,8 @@ namespace {
 
 using codec::find_family;
 
-// Whole pixels for all places in whole fifths of a mm.
-constexpr double kPixelsAMm = 5;
+// Whole pixels for all places in whole tenths of a mm; Poppler rounds edges to quarters of a pixel.
+constexpr double kPixelsAMm = 10;
 constexpr double kDpi = kPixelsAMm * draw::kMmAnInch;
 constexpr double kMostErrorMm = 0.05;
 
@@ -56,17 +56,17 @@ detect::Corners corners_of(const draw::Box& box) {
            {box.x_mm, box.y_mm}}};
 }
 
-/// Rows of both orientations, on A4.
-PosterPlan plain_poster() { return plan_poster({find_family("tag36h11"), 5, 360.0}, {}, {}); }
+constexpr PosterOptions kA5 = {.paper_width_mm = 148, .paper_height_mm = 210};
 
-/// A tag with another in its hole, on A3.
+/// Rows of both orientations: three pages upright, two turned.
+PosterPlan plain_poster() { return plan_poster({find_family("tag36h11"), 5, 240.0}, {}, kA5); }
+
+/// A tag with another in its hole.
 PosterPlan nested_poster() {
-  return plan_poster({find_family("tagCustom48h12"), 9, 300.5},
-                     std::vector<draw::NestedRequest>{{find_family("tag36h11"), 7, {}}},
-                     {.paper_width_mm = 297,
-                      .paper_height_mm = 420,
-                      .overlap_mm = 15,
-                      .orientation = Orientation::AsGiven});
+  PosterOptions options = kA5;
+  options.overlap_mm = 15;
+  return plan_poster({find_family("tagCustom48h12"), 9, 150.5},
+                     std::vector<draw::NestedRequest>{{find_family("tag36h11"), 7, {}}}, options);
 }
 
 void expect_read(const PosterTag& tag, const draw::Box& square, const detect::Image& poster) {
@@ -195,9 +195,9 @@ TEST(PrintedPoster, MapAndPagesSayWhatTheyAre) {
   const test::ScratchFolder folder;
   const std::string path = folder.write("a.pdf", poster_pdf(nested_poster()));
   const std::string map = test::output_of("pdftotext -layout -l 1 '" + path + "' -");
-  for (const char* part : {"tagCustom48h12 9: edge 300.5 mm, outer 500.833 mm",
-                           "tag36h11 7 in the hole: edge 80.133 mm, outer 100.167 mm",
-                           "poster with its quiet zone: 601 mm x 601 mm", "overlap 15 mm",
+  for (const char* part : {"tagCustom48h12 9: edge 150.5 mm, outer 250.833 mm",
+                           "tag36h11 7 in the hole: edge 40.133 mm, outer 50.167 mm",
+                           "poster with its quiet zone: 301 mm x 301 mm", "overlap 15 mm",
                            "row 1: pages 2-", "Row by row: cut the left side", "measure me"}) {
     EXPECT_NE(map.find(part), std::string::npos) << part << "\n" << map;
   }

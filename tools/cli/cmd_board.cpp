@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 #include <numeric>
 #include <optional>
@@ -13,6 +14,7 @@
 #include "board/board_notes.h"
 #include "board/board_writer.h"
 #include "board/bundle.h"
+#include "board/clearance.h"
 #include "board/grid_board.h"
 #include "cli/board_configs.h"
 #include "cli/board_input.h"
@@ -35,7 +37,7 @@ struct Options {
   std::string grid;
   std::string edge;
   std::string outer;
-  std::string spacing = "0.3";
+  std::string spacing;
   std::string style = "plain";
   int border = 0;  // 0 = the style's
   std::uint64_t first_id = 0;
@@ -57,6 +59,7 @@ struct Options {
 constexpr const char* kPaperMargin = "10mm";
 constexpr const char* kOwnMargin = "0mm";
 constexpr int kKalibrBorder = 2;
+constexpr double kUsualSpacing = 0.3;
 
 board::Style style_of(const Options& options) {
   return options.style == "kalibr" ? board::Style::Kalibr : board::Style::Plain;
@@ -96,6 +99,11 @@ std::vector<codec::TagId> ids_of(const Options& options, const codec::Family& fa
   return ids;
 }
 
+/// The usual gap where it is wide enough for the tags, else the least that is.
+double usual_gap_mm(const codec::Layout& layout, double edge) {
+  return std::max(kUsualSpacing * edge, board::least_gap_mm(layout, edge));
+}
+
 Board grid_board(const Options& options) {
   if (options.family.empty()) {
     throw UsageError("FAMILY is missing", "--grid", "name the family of the grid, like tag36h11");
@@ -106,8 +114,10 @@ Board grid_board(const Options& options) {
   grid.style = style_of(options);
   const int usual = grid.style == board::Style::Kalibr ? kKalibrBorder : 1;
   grid.border_cells = options.border > 0 ? options.border : usual;
-  grid.edge_mm = edge_mm(options, printed_layout(family->layout(), grid.border_cells));
-  grid.gap_mm = parse_spacing_mm(options.spacing, grid.edge_mm);
+  const codec::Layout layout = printed_layout(family->layout(), grid.border_cells);
+  grid.edge_mm = edge_mm(options, layout);
+  grid.gap_mm = options.spacing.empty() ? usual_gap_mm(layout, grid.edge_mm)
+                                        : parse_spacing_mm(options.spacing, grid.edge_mm);
   std::vector<draw::NestedRequest> nested;
   for (const std::string& text : options.nested) nested.push_back(parse_nested(text));
   const std::size_t places = static_cast<std::size_t>(size.columns) * size.rows;
@@ -206,9 +216,10 @@ std::vector<CLI::Option*> add_grid_options(CLI::App& app, Options& o) {
     return added.back();
   };
   app.add_option("--grid", o.grid, "columns x rows, like 6x7")->type_name("CxR");
-  CLI::Option* edge = text("--edge", o.edge, "LEN", "side of the border squares");
+  CLI::Option* edge = text("--edge", o.edge, "LEN", "side of the border squares (pose's size)");
   text("--outer", o.outer, "LEN", "side of the whole tags")->excludes(edge);
-  text("--spacing", o.spacing, "F|LEN", "gap / edge, or the gap as LEN")->capture_default_str();
+  text("--spacing", o.spacing, "F|LEN", "gap / edge, or the gap; default 0.3 or what tags need")
+      ->capture_default_str();
   added.push_back(add_choice(app, "--style", o.style, {"plain", "kalibr"},
                              "kalibr: black squares, wide borders")
                       ->capture_default_str());
