@@ -114,6 +114,15 @@ TEST_F(BoardCommand, NestedTagsTellBothSizes) {
       << outcome.messages;
 }
 
+TEST_F(BoardCommand, SquaresThatADetectorStumblesOverAreWarnedOf) {
+  const Outcome outcome =
+      run({"board", "tag36h11", "--grid", "3x2", "--edge", "40mm", "--style", "kalibr", "--border",
+           "1", "--config", "ros1:" + file("t.yaml"), "-o", file("b.pdf")});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(outcome.messages.find("tagmint: warning: ros1 uses a detector that follows"), 0u)
+      << outcome.messages;
+}
+
 TEST_F(BoardCommand, UsualGapIsWideEnoughForEveryLayout) {
   const Outcome outcome =
       run({"board", "tagStandard41h12", "--grid", "2x2", "--edge", "40mm", "-o", file("s.pdf")});

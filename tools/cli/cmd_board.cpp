@@ -23,6 +23,7 @@
 #include "cli/length.h"
 #include "cli/options.h"
 #include "cli/paper.h"
+#include "cli/terminal.h"
 #include "draw/units.h"
 #include "tagmint/codec/builtin_families.h"
 
@@ -182,6 +183,21 @@ void report(const Board& board, const board::BoardPage& page, const std::string&
   }
 }
 
+/// Programs that follow connected areas are given a board whose squares join its tags.
+void warn_of_squares(const Board& board, const std::vector<ConfigTarget>& configs,
+                     const Common& common) {
+  if (board.squares.empty()) return;
+  for (const ConfigTarget& config : configs) {
+    if (config.kind == board::ConfigKind::Kalibr || config.kind == board::ConfigKind::Tagmint) {
+      continue;
+    }
+    say(common, fmt::format("warning: {} uses a detector that follows connected areas and misses "
+                            "most tags of a board whose squares join them ({}); print it with "
+                            "--style plain",
+                            board::name_of(config.kind), config.path));
+  }
+}
+
 int run(const Options& options, const Common& common) try {
   const draw::FileKind kind = drawing_kind(options.format, options.output);
   const Board board = plan_board(options);
@@ -193,6 +209,7 @@ int run(const Options& options, const Common& common) try {
     results.push_back({configs.back().path, board::board_config(configs.back().kind, board)});
   }
   require_writable(results);
+  warn_of_squares(board, configs, common);
   draw::FileOptions file;
   file.title = fmt::format("board of {} tags", board.tags.size());
   file.dpi = options.dpi;

@@ -187,8 +187,8 @@ std::vector<std::string> poster_facts(const PosterPlan& plan) {
   const auto white = std::count_if(plan.pages.begin(), plan.pages.end(),
                                    [](const PosterPage& page) { return page.all_white; });
   if (white > 0) {
-    lines.push_back(fmt::format("{} of them {} all white and {} to the quiet zone", white,
-                                white == 1 ? "is" : "are", white == 1 ? "belongs" : "belong"));
+    lines.push_back(fmt::format("{} of them {} all white, counted and printed like the others",
+                                white, white == 1 ? "is" : "are"));
   }
   return lines;
 }
