@@ -38,7 +38,7 @@ Board sample_bundle() {
 Board mixed_bundle() {
   return board::plan_bundle({make_tag(find_family("tagCustom48h12"), 21, 90, {0, 0}),
                              make_tag(find_family("tag36h11"), 7, 24, {0, 0}),
-                             make_tag(find_family("tag16h5"), 3, 24, {110, -60}, 20),
+                             make_tag(find_family("tag25h9"), 3, 28, {110, -60}, 20),
                              make_tag(find_family("tag36h11"), 8, 24, {110, 0})});
 }
 

@@ -31,13 +31,16 @@ BoardTag make_tag(const codec::SharedFamily& family, codec::TagId id, double edg
   return {family, family->layout(), id, edge_mm, centre_mm, turn_deg, std::nullopt};
 }
 
-detect::Corners square_around(const BoardTag& tag, double side_mm) {
+detect::Point on_board(const BoardTag& tag, detect::Point on_tag_mm) {
   const detect::Point right = direction(tag.turn_deg);
   const detect::Point down = {-right.y, right.x};
+  return tag.centre_mm + on_tag_mm.x * right + on_tag_mm.y * down;
+}
+
+detect::Corners square_around(const BoardTag& tag, double side_mm) {
   detect::Corners corners;
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    const detect::Point unit = detect::kTagCorners[i];
-    corners[i] = tag.centre_mm + (side_mm / 2 * unit.x) * right + (side_mm / 2 * unit.y) * down;
+    corners[i] = on_board(tag, side_mm / 2 * detect::kTagCorners[i]);
   }
   return corners;
 }

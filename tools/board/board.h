@@ -51,6 +51,9 @@ struct Board {
   std::optional<Grid> grid;
 };
 
+/// A place on the tag, in mm from its middle along its own axes, in board coordinates.
+detect::Point on_board(const BoardTag& tag, detect::Point on_tag_mm);
+
 /// The corners of the tag's border square, in board coordinates and in the order of
 /// detect::kTagCorners.
 detect::Corners border_corners(const BoardTag& tag);

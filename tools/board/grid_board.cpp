@@ -65,8 +65,9 @@ codec::Layout printed_layout(const codec::Family& family, const Grid& grid) {
 }
 
 void check_gap(const codec::Family& family, const codec::Layout& layout, const Grid& grid) {
+  const bool alone = grid.columns == 1 && grid.rows == 1 && grid.style == Style::Plain;
   const double least = least_gap_mm(layout, grid.edge_mm);
-  if (grid.gap_mm >= least - kSlackMm) return;
+  if (alone || grid.gap_mm >= least - kSlackMm) return;
   // Rounded up, so that the spacing that is told is one that fits.
   const double least_spacing = std::ceil(1000 * least / grid.edge_mm - 1e-9) / 1000;
   throw draw::DoesNotFit(

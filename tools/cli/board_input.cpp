@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "cli/command.h"
+#include "cli/drawing_target.h"
 #include "cli/length.h"
 #include "cli/number.h"
 #include "io/streams.h"
@@ -20,9 +21,8 @@ namespace {
 
 using board::BoardTag;
 
-// Of numbers in files: tags that can be drawn, and places that a page can hold.
-constexpr double kLeastEdge_mm = 0.1;
-constexpr double kFar_mm = draw::kMaxPageMm;
+// Of numbers in files: places that a page can hold.
+constexpr double kFarMm = draw::kMaxPageMm;
 
 std::optional<std::uint64_t> whole_number(std::string_view text) {
   std::uint64_t value = 0;
@@ -50,8 +50,8 @@ double parse_turn_deg(std::string_view text, std::string_view option) {
 
 double parse_edge_mm(std::string_view text, std::string_view option) {
   const double edge = parse_length_mm(text, option);
-  if (edge < kLeastEdge_mm) {
-    throw UsageError(fmt::format("tags with an edge below {} mm cannot be printed", kLeastEdge_mm),
+  if (edge < kLeastEdgeMm) {
+    throw UsageError(fmt::format("tags with an edge below {} mm cannot be printed", kLeastEdgeMm),
                      option, "give a larger size, like 40mm");
   }
   return edge;
@@ -95,10 +95,10 @@ BoardTag bundle_tag(const scene::JsonValue& json) {
   if (json.has("edge_mm") == json.has("outer_mm")) {
     json.fail("needs one of edge_mm and outer_mm", "give the side of the border square or of all");
   }
-  const double edge = json.has("edge_mm")
-                          ? json.at("edge_mm").number(kLeastEdge_mm, kFar_mm)
-                          : draw::edge_of_outer(family->layout(),
-                                                json.at("outer_mm").number(kLeastEdge_mm, kFar_mm));
+  const double edge =
+      json.has("edge_mm")
+          ? json.at("edge_mm").number(kLeastEdgeMm, kFarMm)
+          : draw::edge_of_outer(family->layout(), json.at("outer_mm").number(kLeastEdgeMm, kFarMm));
   const auto place = json.at("center_mm").numbers<2>();
   const double turn = json.has("turn_deg") ? json.at("turn_deg").number(-360, 360) : 0.0;
   return board::make_tag(family, id, edge, {place[0], place[1]}, turn);

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "cli/cmd_board.h"
 #include "cli/cmd_check.h"
 #include "cli/cmd_choose.h"
 #include "cli/cmd_convert.h"
@@ -11,6 +12,7 @@
 #include "cli/cmd_families.h"
 #include "cli/cmd_generate.h"
 #include "cli/cmd_info.h"
+#include "cli/cmd_poster.h"
 #include "cli/cmd_render.h"
 #include "cli/cmd_sheet.h"
 
@@ -29,6 +31,8 @@ std::span<const Command> command_table() {
       encode_command(),
       decode_command(),
       sheet_command(),
+      board_command(),
+      poster_command(),
       render_command(),
       detect_command(),
   };
