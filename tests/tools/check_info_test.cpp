@@ -199,6 +199,14 @@ TEST(Info, AndCheckReadEveryKind) {
     EXPECT_EQ(check.exit_code, 0) << check.err;
     EXPECT_NE(check.out.find("all 35 tags are at least 9 bits apart"), std::string::npos) << name;
   }
+  EXPECT_EQ(tagmint({"info", folder.file("f.dict"), "--from", "rmsalinas"}).exit_code, 0);
+  expect_fault({"check", folder.file("f.dict"), "--from", "png"}, 2,
+               "a file is not png (" + folder.file("f.dict") + "); leave --from out");
+  expect_fault({"encode", folder.file("f.yml"), "0"}, 3,
+               "this is not JSON: syntax error while parsing value - invalid literal (" +
+                   folder.file("f.yml") +
+                   ":1); a family file is one JSON object; `tagmint convert` makes one of other "
+                   "programs' files");
   EXPECT_EQ(tagmint({"check", "artag"}).exit_code, 1);
   EXPECT_NE(
       tagmint({"check", "artag"}).out.find("VIOLATION: tag 682 is 0 bits from one of its own"),

@@ -25,6 +25,7 @@ namespace {
 
 struct Options {
   std::string family;
+  std::string from;
   std::optional<int> min_hamming;
   bool complete = false;
   std::string output;
@@ -82,7 +83,8 @@ Findings findings_of(const codec::Family& family, bool complete, const Common& c
 
 int run(const Options& options, const Common& common) {
   const InputFamily input = read_input_family(
-      options.family, {.min_hamming = options.min_hamming, .threads = common.threads});
+      options.family, {.min_hamming = options.min_hamming, .threads = common.threads},
+      options.from);
   const codec::SharedFamily& family = input.family;
   for (const std::string& note : input.notes) {
     say(common, fmt::format("{}: {}", family->name(), note));
@@ -104,7 +106,7 @@ Runner set_up(CLI::App& app, const Common& common) {
       "Proves distance, distance to the own turns, complexity and levels from the codes alone. "
       "Exit code 1 where something does not hold.");
   auto options = std::make_shared<Options>();
-  add_any_family(app, options->family);
+  add_any_family(app, options->family, options->from);
   add_output(app, options->output);
   app.add_option("--min-hamming", options->min_hamming,
                  "distance to prove, of a family whose file declares none")
