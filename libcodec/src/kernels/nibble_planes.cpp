@@ -42,11 +42,6 @@ namespace tagmint::codec {
 namespace HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-using Bytes = hn::CappedTag<std::uint8_t, NibblePlanes::kBlockWords>;
-using ByteVector = hn::Vec<Bytes>;
-
 /// Of each nibble of each probe the row of the table.
 struct ProbeRows {
   std::array<std::array<const std::uint8_t*, 16>, 4> of{};
@@ -62,6 +57,30 @@ ProbeRows rows_of(const FourTurns& probes, int nibbles) {
   }
   return rows;
 }
+
+#if HWY_TARGET == HWY_SCALAR
+
+// One lane holds no table: word by word.
+void add_few_blocks(const NibblePlanes& planes, std::size_t first, std::size_t end,
+                    const ProbeRows& rows, DistanceHistogram& histogram) {
+  for (std::size_t block = first; block < end; ++block) {
+    for (std::size_t lane = 0; lane < NibblePlanes::kBlockWords; ++lane) {
+      std::array<unsigned, 4> sums{};
+      const std::uint8_t* nibble = planes.block(block) + lane;
+      for (int k = 0; k < planes.nibbles(); ++k, nibble += NibblePlanes::kBlockWords) {
+        for (std::size_t probe = 0; probe < 4; ++probe) sums[probe] += rows.of[probe][k][*nibble];
+      }
+      ++histogram[*std::min_element(sums.begin(), sums.end())];
+    }
+  }
+}
+
+#else
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Bytes = hn::CappedTag<std::uint8_t, NibblePlanes::kBlockWords>;
+using ByteVector = hn::Vec<Bytes>;
 
 /// The least of the four distances of as many words as a vector has bytes.
 HWY_ATTR ByteVector least_of_four(const std::uint8_t* plane, const ProbeRows& rows, int nibbles) {
@@ -123,6 +142,8 @@ HWY_ATTR void add_few_blocks(const NibblePlanes& planes, std::size_t first, std:
         count_equal(least, words, static_cast<std::uint8_t>(distance));
   }
 }
+
+#endif  // HWY_TARGET == HWY_SCALAR
 
 HWY_ATTR void add_blocks(const NibblePlanes& planes, std::size_t first, std::size_t end,
                          const FourTurns& probes, DistanceHistogram& histogram) {
