@@ -10,7 +10,7 @@ build=(build-essential cmake ninja-build pkg-config
        libcairo2-dev libpng-dev libjpeg-dev libtiff-dev zlib1g-dev libcli11-dev
        fonts-dejavu-core poppler-utils)
 test=(ccache libgtest-dev clang clang-format-14 libclang-rt-14-dev libboost-mpi-dev openmpi-bin
-      libapriltag-dev libopencv-dev librsvg2-bin qpdf libxml2-utils python3-yaml)
+      libapriltag-dev libopencv-dev librsvg2-bin qpdf libxml2-utils python3-yaml chromium)
 
 case "${1:-}" in
   build) wanted=("${build[@]}") ;;

@@ -106,7 +106,8 @@ class DocumentReader {
       if (at != std::string_view::npos) reason.remove_prefix(at + lead.size());
     }
     reason = reason.substr(0, reason.find("; last read"));
-    fail(fmt::format("this is not JSON: {}", reason), "a family file is one JSON object");
+    fail(fmt::format("this is not JSON: {}", reason),
+         "a family file is one JSON object; `tagmint convert` makes one of other programs' files");
   }
 
  private:

@@ -151,7 +151,7 @@ TEST(Info, LookupMemoryOfGeneratedFamiliesIsThatOfInformationSets) {
 TEST(Info, TextNamesEverySection) {
   const std::string text = tagmint({"info", "tagCircle21h7"}).out;
   for (const char* part :
-       {"tagCircle21h7", "codes", "safe radius  3 bit errors", "circle:9",
+       {"tagCircle21h7", "codes", "safe radius   3 bit errors", "own turns     8 bits", "circle:9",
         "Pairs of tags by Hamming distance", "own turns", "Tags by complexity (energy)",
         "False-accept rate", "Memory of the lookup"}) {
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
@@ -163,9 +163,115 @@ TEST(Info, ResultDoesNotDependOnTheNumberOfThreads) {
             tagmint({"info", "tag36h10", "--threads", "3"}).out);
 }
 
-TEST(Info, HtmlIsRefusedInWords) {
-  expect_fault({"info", "tag16h5", "--html", "x.html"}, 2,
-               "--html is not part of this version; use --format text or json");
+TEST(Info, NamesTheNearestTags) {
+  const Json json = Json::parse(tagmint({"info", "tag36h11", "--format", "json"}).out);
+  EXPECT_EQ(json.at("distance_between_tags"), 11);
+  EXPECT_EQ(json.at("self_distance"), 12);
+  ASSERT_EQ(json.at("nearest_pairs").size(), 3U);
+  EXPECT_EQ(json.at("nearest_pairs")[0].at("ids"), (Json{0, 8}));
+  EXPECT_EQ(json.at("nearest_pairs")[0].at("distance"), 11);
+  const std::string text = tagmint({"info", "tag36h11"}).out;
+  EXPECT_NE(text.find("11 bits: 0 and 8, 0 and 56, 0 and 85, ... of 7191 pairs"), std::string::npos)
+      << text;
+}
+
+TEST(Info, AmbiguousFamilyHasNoSafeRadius) {
+  const ProgramResult result = tagmint({"info", "aruco-original", "--format", "json"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Json json = Json::parse(result.out);
+  EXPECT_TRUE(json.at("safe_radius").is_null());
+  EXPECT_EQ(json.at("true_min_hamming"), 0);
+  EXPECT_NE(tagmint({"info", "aruco-original"}).out.find("safe radius   none:"), std::string::npos);
+}
+
+TEST(Info, AndCheckReadEveryKind) {
+  const ScratchFolder folder;
+  const Json own = Json::parse(tagmint({"info", "tag25h9", "--format", "json"}).out);
+  for (const char* name : {"f.c", "f.yml", "f.json.gz", "f.dict", "f.csv", "pictures"}) {
+    const std::string file = folder.file(name);
+    ASSERT_EQ(tagmint({"convert", "tag25h9", "-o", file}).exit_code, 0);
+    const ProgramResult result = tagmint({"info", file, "--format", "json"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const Json read = Json::parse(result.out);
+    EXPECT_EQ(read.at("sha256"), own.at("sha256")) << name;
+    EXPECT_EQ(read.at("distance_histogram"), own.at("distance_histogram")) << name;
+    const ProgramResult check = tagmint({"check", file});
+    EXPECT_EQ(check.exit_code, 0) << check.err;
+    EXPECT_NE(check.out.find("all 35 tags are at least 9 bits apart"), std::string::npos) << name;
+  }
+  EXPECT_EQ(tagmint({"info", folder.file("f.dict"), "--from", "rmsalinas"}).exit_code, 0);
+  expect_fault({"check", folder.file("f.dict"), "--from", "png"}, 2,
+               "a file is not png (" + folder.file("f.dict") + "); leave --from out");
+  expect_fault({"encode", folder.file("f.yml"), "0"}, 3,
+               "this is not JSON: syntax error while parsing value - invalid literal (" +
+                   folder.file("f.yml") +
+                   ":1); a family file is one JSON object; `tagmint convert` makes one of other "
+                   "programs' files");
+  EXPECT_EQ(tagmint({"check", "artag"}).exit_code, 1);
+  EXPECT_NE(
+      tagmint({"check", "artag"}).out.find("VIOLATION: tag 682 is 0 bits from one of its own"),
+      std::string::npos)
+      << tagmint({"check", "artag"}).out;
+}
+
+TEST(Check, ProvesTheDistanceThatIsSaid) {
+  const ProgramResult result = tagmint({"check", "artoolkitplus-bch", "--min-hamming", "9"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_NE(result.out.find("artoolkitplus-bch: VIOLATION: tag"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("the family declares 9"), std::string::npos) << result.out;
+  expect_fault({"check", "tag36h11", "--min-hamming", "9"}, 2,
+               "a tagmint family says all of itself; leave --min-hamming out");
+}
+
+TEST(InfoPage, IsOneFileThatAsksForNothing) {
+  const ScratchFolder folder;
+  const std::string file = folder.file("page.html");
+  const ProgramResult result = tagmint({"info", "rot16h5", "--html", file});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.out, "");
+  EXPECT_EQ(result.err, "tagmint: rot16h5: the page of 60 tags; written to " + file + "\n");
+  const std::string page = read_file(file);
+  for (const char* part :
+       {"<!DOCTYPE html>", "default-src 'none'", "60 tags of 16 bits", "id=\"levels\"",
+        "id=\"distances\"", "id=\"turns\"", "id=\"complexity\"", "id=\"accepts\"",
+        "ids 0-2, distance 8", "Safe radius: 2.", "outer", "tagmint sheet rot16h5",
+        "tagmint detect --family rot16h5", "id=\"tag-11\"", "</html>"}) {
+    EXPECT_NE(page.find(part), std::string::npos) << part;
+  }
+  for (const char* request : {"src=", "<link", "url(", "@import", "fetch(", "XMLHttp", "import("}) {
+    EXPECT_EQ(page.find(request), std::string::npos) << request;
+  }
+  EXPECT_NE(page.find("\"listed\":60"), std::string::npos);
+  EXPECT_EQ(tagmint({"info", "rot16h5", "--html", "-"}).out, page);
+}
+
+TEST(InfoPage, OfAForeignFileSaysHowToConvertIt) {
+  const ScratchFolder folder;
+  const std::string file = folder.file("some tags.yml");
+  ASSERT_EQ(tagmint({"convert", "tag16h5", "--opencv", "5", "-o", file}).exit_code, 0);
+  const ProgramResult result = tagmint({"info", file, "--html", "-"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(result.out.find("tagmint convert '" + file + "' -o tag16h5.json\n"), std::string::npos);
+  EXPECT_NE(result.out.find("tagmint sheet tag16h5.json --edge 40mm"), std::string::npos);
+}
+
+TEST(InfoPage, BesideTextOrJson) {
+  const ScratchFolder folder;
+  const std::string file = folder.file("page.html");
+  const ProgramResult both = tagmint({"info", "tag16h5", "--html", file, "--format", "json"});
+  EXPECT_EQ(both.out, tagmint({"info", "tag16h5", "--format", "json"}).out);
+  EXPECT_FALSE(read_file(file).empty());
+  expect_fault({"info", "tag16h5", "--html", "-", "--format", "json"}, 2,
+               "the page and the text cannot both go to stdout (--html); give one of them a file");
+}
+
+TEST(InfoPage, ThatCannotBeWrittenLeavesNothing) {
+  const ScratchFolder folder;
+  const std::string file = folder.file("missing/page.html");
+  expect_fault({"info", "tag16h5", "--html", file}, 4,
+               "cannot write: there is no folder " + folder.file("missing") + " (" + file +
+                   "); make it first or choose another place");
+  EXPECT_TRUE(folder.names().empty());
 }
 
 TEST(Chain, GeneratedFamilyGoesThroughCheckEncodeAndDecode) {

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,6 +25,8 @@ namespace {
 
 struct Options {
   std::string family;
+  std::string from;
+  std::optional<int> min_hamming;
   bool complete = false;
   std::string output;
 };
@@ -79,7 +82,9 @@ Findings findings_of(const codec::Family& family, bool complete, const Common& c
 }
 
 int run(const Options& options, const Common& common) {
-  const InputFamily input = read_input_family(options.family, {.threads = common.threads});
+  const InputFamily input = read_input_family(
+      options.family, {.min_hamming = options.min_hamming, .threads = common.threads},
+      options.from);
   const codec::SharedFamily& family = input.family;
   for (const std::string& note : input.notes) {
     say(common, fmt::format("{}: {}", family->name(), note));
@@ -101,8 +106,13 @@ Runner set_up(CLI::App& app, const Common& common) {
       "Proves distance, distance to the own turns, complexity and levels from the codes alone. "
       "Exit code 1 where something does not hold.");
   auto options = std::make_shared<Options>();
-  add_any_family(app, options->family);
+  add_any_family(app, options->family, options->from);
   add_output(app, options->output);
+  app.add_option("--min-hamming", options->min_hamming,
+                 "distance to prove, of a family whose file declares none")
+      ->type_name("H")
+      ->check(CLI::Range(1, codec::kMaxBits))
+      ->default_str("computed");
   app.add_flag("--complete", options->complete,
                "prove too that no further word could be added; seconds at 36 bits, hours at 48");
   return [options, &common] { return run(*options, common); };

@@ -20,6 +20,7 @@ namespace {
 
 struct Options {
   std::string family;
+  std::string from;
   std::string format;
   std::string output;
   std::string html;
@@ -55,7 +56,8 @@ int run(const Options& options, const Common& common) {
     }
     require_writable(options.html);
   }
-  const InputFamily input = read_input_family(options.family, {.threads = common.threads});
+  const InputFamily input =
+      read_input_family(options.family, {.threads = common.threads}, options.from);
   for (const std::string& note : input.notes) {
     say(common, fmt::format("{}: {}", input.family->name(), note));
   }
@@ -73,7 +75,7 @@ Runner set_up(CLI::App& app, const Common& common) {
       "Distances between the tags, false accepts, complexity, memory of the lookup; with --html as "
       "one page with charts and all tags, that needs no other file.");
   auto options = std::make_shared<Options>();
-  add_any_family(app, options->family);
+  add_any_family(app, options->family, options->from);
   add_format(app, options->format, {"text", "json"}, "text");
   add_output(app, options->output);
   app.add_option("--html", options->html,

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "cli/command.h"
+#include "cli/options.h"
 #include "io/family_kinds/family_changes.h"
 #include "io/family_kinds/older_systems.h"
 #include "tagmint/codec/builtin_families.h"
@@ -55,11 +56,12 @@ InputFamily read_input_family(const std::string& name, const io::FamilyReadOptio
   return input_of(kind.read(source, options), kind.name != "tagmint");
 }
 
-CLI::Option* add_any_family(CLI::App& app, std::string& name) {
-  return app
-      .add_option("FAMILY", name,
-                  "bundled family, file or folder of any kind that convert reads, or older system")
+void add_any_family(CLI::App& app, std::string& name, std::string& from) {
+  app.add_option("FAMILY", name,
+                 "bundled family, file or folder of any kind that convert reads, or older system")
       ->required();
+  add_choice(app, "--from", from, io::family_kind_names(), "kind of the file; else by its content")
+      ->type_name("KIND");
 }
 
 }  // namespace tagmint::cli

@@ -8,8 +8,7 @@
 
 namespace CLI {
 class App;
-class Option;
-}  // namespace CLI
+}
 
 namespace tagmint::cli {
 
@@ -28,7 +27,8 @@ struct InputFamily {
 InputFamily read_input_family(const std::string& name, const io::FamilyReadOptions& options,
                               const std::string& from = {});
 
-/// Adds the required positional FAMILY of the commands that read every kind.
-CLI::Option* add_any_family(CLI::App& app, std::string& name);
+/// Adds the required positional FAMILY of the commands that read every kind, and --from, which
+/// names the kind.
+void add_any_family(CLI::App& app, std::string& name, std::string& from);
 
 }  // namespace tagmint::cli

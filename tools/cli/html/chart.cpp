@@ -13,11 +13,11 @@ namespace {
 
 // The picture's own units; a style sheet gives its width.
 constexpr double kWidth = 480;
-constexpr double kHeight = 290;
+constexpr double kHeight = 300;
 constexpr double kLeft = 64;
 constexpr double kRight = 470;
-constexpr double kTop = 22;
-constexpr double kBottom = 240;
+constexpr double kTop = 38;
+constexpr double kBottom = 252;
 constexpr double kLegendLine = 18;
 /// Counts that differ more than this are shown by their logarithm.
 constexpr double kLinearRange = 200;
@@ -104,8 +104,8 @@ std::string frame(const Scale& scale, std::string_view across, std::string_view 
     svg += line(kLeft, y, kRight, y, "rule") + text_at(kLeft - 6, y + 4, "end", number_text(value));
   }
   svg += line(kLeft, kBottom, kRight, kBottom, "axis") + line(kLeft, kTop, kLeft, kBottom, "axis");
-  svg += text_at(4, kTop - 9, "start",
-                 fmt::format("{}{}", up, scale.logarithmic ? " (logarithmic)" : ""));
+  svg +=
+      text_at(4, 13, "start", fmt::format("{}{}", up, scale.logarithmic ? " (logarithmic)" : ""));
   return svg + text_at((kLeft + kRight) / 2, kBottom + 36, "middle", across);
 }
 
@@ -135,7 +135,7 @@ std::string bar_chart_svg(const BarChart& chart) {
     last = std::max(last, chart.mark->at);
   }
   first -= chart.step;
-  last += chart.step;
+  last += chart.step + chart.shift;
   const auto across = [&](double at) {
     return kLeft + (at - first) / (last - first) * (kRight - kLeft);
   };
@@ -146,13 +146,14 @@ std::string bar_chart_svg(const BarChart& chart) {
     svg += fmt::format(
         "<rect class=\"bar\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\">"
         "<title>{}</title></rect>",
-        across(bar.at) - width / 2, top, width, std::max(kBottom - top, 0.5), escaped(bar.title));
+        across(bar.at + chart.shift) - width / 2, top, width, std::max(kBottom - top, 0.5),
+        escaped(bar.title));
   }
   const double slots = std::round((last - first) / chart.step);
   const double every = std::max(1.0, round_step(slots, kMostLabels)) * chart.step;
   // From a multiple of the step, so that labels are round.
   for (double at = std::ceil((first + chart.step) / every - 1e-9) * every;
-       at <= last - chart.step + 1e-9; at += every) {
+       at <= last - chart.step + chart.shift + 1e-9; at += every) {
     svg += line(across(at), kBottom, across(at), kBottom + 4, "axis") +
            text_at(across(at), kBottom + 18, "middle", fmt::format("{:.4g}", at));
   }
@@ -160,7 +161,7 @@ std::string bar_chart_svg(const BarChart& chart) {
     const double x = across(chart.mark->at);
     svg += line(x, kTop, x, kBottom, "mark");
     const bool right = x < (kLeft + kRight) / 2;
-    svg += text_at(right ? x + 5 : x - 5, kTop - 9 + 4, right ? "start" : "end", chart.mark->label);
+    svg += text_at(right ? x + 5 : x - 5, kTop - 6, right ? "start" : "end", chart.mark->label);
   }
   return svg + "</svg>\n";
 }

@@ -26,6 +26,7 @@ struct BarChart {
   std::string across;          ///< the horizontal axis with its unit, "Hamming distance in bits"
   std::string up;              ///< the vertical axis, "pairs of tags"
   double step = 1;             ///< between bars that may be, above 0
+  double shift = 0;            ///< middle of a bar less its place: step / 2 where bars begin there
   std::vector<ChartBar> bars;  ///< in ascending order
   std::optional<ChartMark> mark;
 };

@@ -101,21 +101,20 @@ std::string self_distances(const FamilyReport& report) {
 std::string complexity(const FamilyReport& report) {
   const codec::Complexity& rule = report.family->complexity();
   const bool rectangles = report.complexity_measure == "rectangles";
-  BarChart chart{.id = "complexity",
-                 .title = {},
-                 .across = rectangles ? "rectangles needed to paint the tag"
-                                      : "colour changes / (2 cells), from the value on",
-                 .up = "tags",
-                 .step = rectangles ? 1 : kEnergyStep,
-                 .bars = {},
-                 .mark = {}};
+  BarChart chart{
+      .id = "complexity",
+      .title = {},
+      .across = rectangles ? "rectangles needed to paint the tag" : "colour changes / (2 cells)",
+      .up = "tags",
+      .step = rectangles ? 1 : kEnergyStep,
+      .shift = rectangles ? 0 : kEnergyStep / 2,
+      .bars = {},
+      .mark = {}};
   for (const auto& [value, tags] : report.complexity_histogram) {
     chart.bars.push_back({value, static_cast<double>(tags), {}});
   }
   if (rule.rule != codec::ComplexityRule::None) {
-    // Bars of energy stand at the lower end of what they count.
-    const double at = rectangles ? rule.threshold : rule.threshold - kEnergyStep / 2;
-    chart.mark = ChartMark{at, fmt::format("at least {:.4g}", rule.threshold)};
+    chart.mark = ChartMark{rule.threshold, fmt::format("at least {:.4g}", rule.threshold)};
   }
   return histogram("Complexity",
                    "Plain patterns are imitated by texture more often than busy ones.",
