@@ -95,10 +95,11 @@ double SheetChecker::reading_dpi(const SheetPlan& plan, std::size_t page) {
   return std::min(wanted, std::sqrt(kMostPixels / area) * kMmAnInch);
 }
 
-PageCheck SheetChecker::check(ReadPage drawn, const SheetPlan& plan, std::size_t page) {
+PageCheck SheetChecker::check(ReadPage drawn, const SheetPlan& plan, std::size_t page,
+                              double slack_mm) {
   if (inverted_) invert(drawn.picture);
   const double cell_px = smallest_cell_mm(plan, page) * drawn.pixels_a_mm;
-  const double tolerance_mm = std::max(kTolerance_mm, kTolerance_px / drawn.pixels_a_mm);
+  const double tolerance_mm = slack_mm + std::max(kTolerance_mm, kTolerance_px / drawn.pixels_a_mm);
   const int factor = std::max(1, static_cast<int>(std::ceil(kCell_px / cell_px - 0.5)));
   const double area_px = double(drawn.picture.width()) * drawn.picture.height();
   if (factor > 1 && area_px * factor * factor <= kMostPixels) {
