@@ -78,11 +78,10 @@ std::vector<Printed> printed_kinds() {
   kinds.insert(kinds.end(), std::begin(with_ghostscript), std::end(with_ghostscript));
 #endif
 #ifdef TAGMINT_CHROMIUM
-  kinds.push_back(
-      {"SVG, Chromium, Poppler", [](const SheetPlan& plan, const SheetDecor& decor, double dpi) {
-         const std::string svg = content(plan, decor, FileKind::Svg);
-         return pdf_pages(chromium_pdf(svg, TAGMINT_CHROMIUM), dpi).at(0);
-       }});
+  kinds.push_back({"SVG, Chromium, Poppler", false,
+                   [](const SheetPlan& plan, const SheetDecor& decor, double dpi) {
+                     return pdf_pages(printed_svg(content(plan, decor, FileKind::Svg)), dpi).at(0);
+                   }});
 #endif
   return kinds;
 }

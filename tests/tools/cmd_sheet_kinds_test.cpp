@@ -138,8 +138,8 @@ TEST_F(SheetKinds, ReadsBackWhatItWrote) {
       {"a.png", "tag36h11:14mm:0-9"},
       {"b.tif", "tagCircle21h7:2mm:0-30", "--dpi", "600", "--depth", "1", "--label", "none"},
       {"i.png", "tag16h5:7.7mm:0-9", "--dpi", "200", "--depth", "1", "--exact"},
-      {"c.png", "tagCustom48h12:20mm:42200-42210", "--ground", "none"},
-      {"d.png", "rot48:20mm:4000000-4000003", "--invert"},
+      {"c.png", "tagCustom48h12:8mm:42200-42210", "--ground", "none"},
+      {"d.png", "rot48:8mm:4000000-4000003", "--invert"},
       {"{id}.png", "tagStandard52h13:20mm:48700-48713"}};
   if (draw::can_read_back(draw::FileKind::Pdf)) {
     runs.push_back({"e.pdf", "tag36h11:14mm:0-30", "tagCircle49h12:12mm:5", "--color", "k"});
