@@ -8,9 +8,10 @@ set -euo pipefail
 build=(build-essential cmake ninja-build pkg-config
        libfmt-dev libhwy-dev libssl-dev libtbb-dev nlohmann-json3-dev libeigen3-dev
        libcairo2-dev libpng-dev libjpeg-dev libtiff-dev zlib1g-dev libcli11-dev
-       fonts-dejavu-core poppler-utils)
+       libpoppler-glib-dev librsvg2-dev fonts-dejavu-core poppler-utils)
 test=(ccache libgtest-dev clang clang-format-14 libclang-rt-14-dev libboost-mpi-dev openmpi-bin
-      libapriltag-dev libopencv-dev librsvg2-bin qpdf libxml2-utils python3-yaml chromium)
+      libapriltag-dev libopencv-dev librsvg2-bin qpdf libxml2-utils python3-yaml ghostscript
+      chromium)
 
 case "${1:-}" in
   build) wanted=("${build[@]}") ;;

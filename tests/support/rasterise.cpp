@@ -42,4 +42,28 @@ detect::Image svg_picture(const std::string& svg, double dpi) {
   return io::read_gray_image(png);
 }
 
+detect::Image ghostscript_picture(const std::string& document, double dpi) {
+  const ScratchFolder folder;
+  const std::string path = folder.write("sheet", document);
+  const std::string picture = folder.file("page.pgm");
+  output_of(
+      fmt::format("gs -q -dSAFER -dNOPAUSE -dBATCH -dEPSCrop -dFirstPage=1 -dLastPage=1 "
+                  "-dTextAlphaBits=4 -dGraphicsAlphaBits=4 -sDEVICE=pgmraw -r{} "
+                  "-sOutputFile='{}' '{}' 2>&1",
+                  dpi, picture, path));
+  return io::read_gray_image(picture);
+}
+
+std::string chromium_pdf(const std::string& svg, const std::string& program) {
+  const ScratchFolder folder;
+  const std::string path = folder.write("sheet.svg", svg);
+  const std::string pdf = folder.file("sheet.pdf");
+  output_of(
+      fmt::format("timeout 60 '{}' --headless --no-sandbox --disable-gpu "
+                  "--user-data-dir='{}' --no-pdf-header-footer --print-to-pdf='{}' "
+                  "'file://{}' 2>&1",
+                  program, folder.file("profile"), pdf, path));
+  return read_file(pdf);
+}
+
 }  // namespace tagmint::test

@@ -105,24 +105,31 @@ int count_ink(const PrintedTag& tag, double x0, double y0, double x1, double y1)
   return count;
 }
 
+/// The quiet zone, and the label band at the lower end of the slot.
 void measure_surroundings(const PrintedTag& tag, double label_mm, SheetMeasures& out) {
   const draw::Box& slot = tag.place.slot;
   const double s = tag.scale;
-  const double x0 = slot.x_mm * s;
-  const double x1 = slot.right_mm() * s;
-  const double y0 = slot.y_mm * s;
-  const double y1 = (slot.bottom_mm() - label_mm) * s;
-  const double left = tag.left_px() - 1;
-  const double right = tag.place.outer.right_mm() * s + 1;
-  const double top = tag.top_px() - 1;
-  const double bottom = tag.place.outer.bottom_mm() * s + 1;
-  out.ink_in_quiet += count_ink(tag, x0, y0, x1, top) + count_ink(tag, x0, bottom, x1, y1) +
-                      count_ink(tag, x0, y0, left, y1) + count_ink(tag, right, y0, x1, y1);
+  const double quiet = tag.place.quiet_mm * s;
+  const double left = tag.left_px();
+  const double right = tag.place.outer.right_mm() * s;
+  const double top = tag.top_px();
+  const double bottom = tag.place.outer.bottom_mm() * s;
+  const double x0 = left - quiet;
+  const double x1 = right + quiet;
+  const double y0 = top - quiet;
+  const double y1 = bottom + quiet;
+  // Pixels beside the tag may hold a part of it.
+  out.ink_in_quiet += count_ink(tag, x0, y0, x1, top - 1) + count_ink(tag, x0, bottom + 1, x1, y1) +
+                      count_ink(tag, x0, y0, left - 1, y1) + count_ink(tag, right + 1, y0, x1, y1);
   if (label_mm <= 0) return;
+  const double label_start = (slot.bottom_mm() - label_mm) * s;
   const double label_end = slot.bottom_mm() * s;
-  if (count_ink(tag, x0, y1, x1, label_end) > 0) ++out.labels;
+  const double slot_left = slot.x_mm * s;
+  const double slot_right = slot.right_mm() * s;
+  if (count_ink(tag, slot_left, label_start, slot_right, label_end) > 0) ++out.labels;
   constexpr double kFree = 0.15;  // share of the label's height above its tallest letters
-  out.ink_at_labels_rim += count_ink(tag, x0, y1, x1, y1 + kFree * label_mm * s);
+  out.ink_at_labels_rim +=
+      count_ink(tag, slot_left, label_start, slot_right, label_start + kFree * label_mm * s);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "cli/output.h"
 #include "draw/read_back.h"
 #include "draw/sheet_writer.h"
+#include "draw/units.h"
 
 namespace tagmint::cli {
 namespace {
@@ -111,9 +112,15 @@ void SheetFiles::write_file(const std::string& name, const draw::SheetPlan& plan
 void SheetFiles::verify_file(const codec::AtomicFile& file, const draw::SheetPlan& plan,
                              std::size_t first, std::size_t last) {
   const auto written = draw::open_written(file.written_path(), target_.kind(), job_.file.dpi);
+  // In a picture of one bit, edges that are not on a dot's side move there: by half a dot at most
+  // along each axis, unless all cells are whole dots.
+  const bool rounds =
+      draw::is_raster(target_.kind()) && job_.file.bits == 1 && job_.page.dot_mm == 0;
+  const double slack_mm = rounds ? 0.71 * draw::kMmAnInch / job_.file.dpi : 0.0;
   for (std::size_t page = first; page < last; ++page) {
     const double dpi = draw::SheetChecker::reading_dpi(plan, page);
-    const draw::PageCheck result = checker_->check(written->page(page - first, dpi), plan, page);
+    const draw::PageCheck result =
+        checker_->check(written->page(page - first, dpi), plan, page, slack_mm);
     if (result.fault) {
       throw codec::OutputError(
           fmt::format("reading back what was written, {} id {} on page {} {}", result.fault->family,

@@ -102,7 +102,7 @@ draw::SheetOptions page_options(const SheetArguments& arguments, bool file_a_tag
           .columns = arguments.columns,
           .rows = arguments.rows,
           .quiet_zone_cells = arguments.quiet_zone_cells,
-          .cut_shape = cut_shape_of(arguments.cut_shape)};
+          .cut_shape = cut_shape_of(arguments.cut_lines)};
 }
 
 draw::FileOptions file_options(const SheetArguments& arguments) {
@@ -206,13 +206,13 @@ SheetJob sheet_job(const SheetArguments& arguments, draw::FileKind kind, bool fi
                .notes = !file_a_tag && !for_cutters,
                .ruler = draw::RulerPlace::None,
                .cut_marks = arguments.cut_marks,
-               .cut_lines = arguments.cut_lines,
+               .cut_lines = !arguments.cut_lines.empty(),
                .inverted = arguments.invert};
   job.file = file_options(arguments);
   job.file.title = file_title(arguments, job.groups);
   if (draw::is_raster(kind)) fit_to_dots(job, arguments);
   warn_of_narrow_quiet_zones(job);
-  if ((arguments.cut_marks || arguments.cut_lines) && job.page.gap_mm < draw::kCutGapMm) {
+  if ((job.decor.cut_marks || job.decor.cut_lines) && job.page.gap_mm < draw::kCutGapMm) {
     throw UsageError(fmt::format("{} stand in the gap between tags, which is {}",
                                  arguments.cut_marks ? "cut marks" : "cut lines",
                                  draw::format_mm(job.page.gap_mm)),

@@ -17,7 +17,6 @@ constexpr const char* kSizeText = "side of the border square (pose's size), or o
 constexpr const char* kSpaceText = "around the page; between tags";
 constexpr const char* kGridText = "of a page; default as many as fit";
 constexpr const char* kRulerText = "on every page, or none; default: where it fits";
-constexpr const char* kCutText = "in the gaps: at the corners; all around";
 constexpr const char* kReverseText = "ink for white, not black; hairlines for cutters";
 constexpr const char* kPixelText = "whole dots a cell; or exact size";
 constexpr const char* kTrialText = "read back what was written; or only tell the plan";
@@ -54,10 +53,9 @@ void add_page_options(CLI::App& app, SheetArguments& o) {
   app.add_option("--title", o.title, "on top of every page")->type_name("TEXT");
   CLI::Option* const ruler = app.add_flag("--ruler", o.ruler, kRulerText);
   app.add_flag("--no-ruler", o.no_ruler, kRulerText)->excludes(ruler);
-  app.add_flag("--cut-marks", o.cut_marks, kCutText);
-  app.add_flag("--cut-lines", o.cut_lines, kCutText);
-  add_choice(app, "--cut-shape", o.cut_shape, {"square", "rounded", "circle"},
-             "square, rounded or circle")
+  app.add_flag("--cut-marks", o.cut_marks, "at the corners of each tag, in the gaps");
+  add_choice(app, "--cut-lines", o.cut_lines, {"square", "rounded", "circle"},
+             "around each tag: square, rounded or circle")
       ->type_name("SHAPE");
 }
 

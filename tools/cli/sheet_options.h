@@ -26,8 +26,7 @@ struct SheetArguments {
   bool ruler = false;
   bool no_ruler = false;
   bool cut_marks = false;
-  bool cut_lines = false;
-  std::string cut_shape = "square";
+  std::string cut_lines;  ///< their shape
   std::string color;
   std::string ground;
   bool invert = false;

@@ -116,8 +116,10 @@ void PsCanvas::begin_page(const PageSetup& page) {
   const std::string height = number_text(kPointsAMm * page.height_mm, kDigits);
   text_ += fmt::format("%%Page: {} {}\n",
                        ps_text(page.label.empty() ? std::to_string(pages_) : page.label), pages_);
-  text_ += bounding_boxes(page, "Page") + "%%BeginPageSetup\n/tagmintpage save def\n";
+  text_ += bounding_boxes(page, "Page") + "%%BeginPageSetup\n";
+  // Outside of what is restored at the page's end: that would end the page of this size.
   if (kind_ == Kind::Ps) text_ += fmt::format("<</PageSize[{} {}]>>setpagedevice\n", width, height);
+  text_ += "/tagmintpage save def\n";
   // From here on the unit is the mm, and y runs down from the top.
   text_ += fmt::format("tagmint begin\n0 {} translate {} dup neg scale\n%%EndPageSetup\n", height,
                        number_text(kPointsAMm, 9));

@@ -22,6 +22,13 @@ constexpr double kCell_px = 8.0;  // with fewer, a picture is enlarged
 constexpr double kLeastDpi = 200.0;
 constexpr double kMostPixels = 1 << 26;  // of a page that is drawn to be read: 256 MB
 
+/// Corners from the lines of the border square alone: exact on drawn edges, which have no blur.
+detect::DetectorOptions reading_options() {
+  detect::DetectorOptions options;
+  options.refine_photometric = false;
+  return options;
+}
+
 /// Decoders without corrected errors: what was written has none.
 std::vector<std::shared_ptr<const codec::Decoder>> decoders_of(std::span<const TagGroup> groups) {
   std::vector<std::shared_ptr<const codec::Decoder>> decoders;
@@ -87,7 +94,7 @@ detect::Corners planned_corners_mm(const SheetPlan& plan, const PlacedTag& tag) 
 }
 
 SheetChecker::SheetChecker(std::span<const TagGroup> groups, bool inverted)
-    : inverted_(inverted), detector_(decoders_of(groups)) {}
+    : inverted_(inverted), detector_(decoders_of(groups), reading_options()) {}
 
 double SheetChecker::reading_dpi(const SheetPlan& plan, std::size_t page) {
   const double wanted = std::max(kLeastDpi, kCell_px * kMmAnInch / smallest_cell_mm(plan, page));
@@ -95,10 +102,11 @@ double SheetChecker::reading_dpi(const SheetPlan& plan, std::size_t page) {
   return std::min(wanted, std::sqrt(kMostPixels / area) * kMmAnInch);
 }
 
-PageCheck SheetChecker::check(ReadPage drawn, const SheetPlan& plan, std::size_t page) {
+PageCheck SheetChecker::check(ReadPage drawn, const SheetPlan& plan, std::size_t page,
+                              double slack_mm) {
   if (inverted_) invert(drawn.picture);
   const double cell_px = smallest_cell_mm(plan, page) * drawn.pixels_a_mm;
-  const double tolerance_mm = std::max(kTolerance_mm, kTolerance_px / drawn.pixels_a_mm);
+  const double tolerance_mm = slack_mm + std::max(kTolerance_mm, kTolerance_px / drawn.pixels_a_mm);
   const int factor = std::max(1, static_cast<int>(std::ceil(kCell_px / cell_px - 0.5)));
   const double area_px = double(drawn.picture.width()) * drawn.picture.height();
   if (factor > 1 && area_px * factor * factor <= kMostPixels) {

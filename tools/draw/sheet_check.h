@@ -38,7 +38,8 @@ class SheetChecker {
 
   /// Looks at a page. A corner of the border square may be 0.05 mm from its place, or 0.3 pixel
   /// where that is more.
-  PageCheck check(ReadPage drawn, const SheetPlan& plan, std::size_t page);
+  ///   slack_mm   allowed besides: of pictures whose edges were rounded to dots
+  PageCheck check(ReadPage drawn, const SheetPlan& plan, std::size_t page, double slack_mm = 0.0);
 
  private:
   bool inverted_;
