@@ -49,6 +49,18 @@ TEST(RotationCodes, LevelsOfThirtySixBitsAreProvenAndStoredAsAGenerator) {
   EXPECT_FALSE(check.violation) << check.violation->message;
 }
 
+TEST(RotationCodes, SixteenThousandTagsOfThirtySixBitsAtDistanceTen) {
+  const RotationCodeResult result = search_rotation_code(options_for("classic:10", 10, {14, 12}));
+  EXPECT_EQ(result.construction, "lifted quasi-cyclic code");
+  const Family family = make_family(result);
+  ASSERT_EQ(family.levels().size(), 3u);
+  EXPECT_EQ(family.levels()[0].codes, 120u);
+  EXPECT_EQ(family.levels()[1].codes, 240u);
+  EXPECT_EQ(family.size(), 16320u);
+  const FamilyCheck check = check_family(family);
+  EXPECT_FALSE(check.violation) << check.violation->message;
+}
+
 TEST(RotationCodes, StoppedSearchHasNoFamily) {
   std::stop_source stop;
   stop.request_stop();
