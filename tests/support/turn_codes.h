@@ -81,6 +81,24 @@ inline bool has_weights(const codec::TurnCode& code, int at_least, int divisor) 
   });
 }
 
+/// The least of the four turns of a word.
+inline codec::Codeword least_turn(codec::Codeword word, int bits) {
+  codec::Codeword least = word;
+  for (int turn = 1; turn < 4; ++turn) least = std::min(least, codec::rotate(word, bits, turn));
+  return least;
+}
+
+/// Whether tags are so far apart in all turns, and each from its own turns.
+inline bool are_apart(std::span<const codec::Codeword> tags, int bits, int distance) {
+  for (std::size_t i = 0; i < tags.size(); ++i) {
+    if (codec::self_distance(tags[i], bits) < distance) return false;
+    for (std::size_t j = 0; j < i; ++j) {
+      if (codec::rotation_distance(tags[i], tags[j], bits) < distance) return false;
+    }
+  }
+  return true;
+}
+
 /// A random closed code, grown one dimension at a time.
 inline codec::TurnCode random_code(int bits, int dimension, codec::RandomChoice& random) {
   codec::TurnCode code(bits);
