@@ -7,14 +7,16 @@ class BruteForceLookup final : public ListLookup {
  public:
   BruteForceLookup(const TagList& tags, int radius) : ListLookup(tags, radius) {}
 
-  std::size_t table_bytes() const override { return 0; }
-
- private:
-  Nearest nearest(Codeword word) const override {
+  std::optional<Match> decode(Codeword observed) const override {
+    const FourTurns turned = four_turns(observed, bits());
     Nearest nearest;
-    for (std::size_t i = 0; i < codewords().size(); ++i) compare(word, i, nearest);
-    return nearest;
+    for (std::size_t i = 0; i < codewords().size(); ++i) {
+      for (const Codeword word : turned) compare(word, i, nearest);
+    }
+    return answer(turned, nearest);
   }
+
+  std::size_t table_bytes() const override { return 0; }
 };
 
 }  // namespace

@@ -1,11 +1,12 @@
 // Every word within two errors of a codeword has an entry in a hash table, so that a word is found
-// by looking at one place [WangOlson2016, III-E].
+// by looking at one place [WangOlson2016, III-E]. A word and its turns are the same entry, that of
+// the least of them, so that one place serves all four turns.
 //
 // The table is open: an entry stands at its word's hash or in one of the slots after it, with empty
-// slots as ends. An entry is only the index of the codeword. Whether it belongs to the word that is
-// looked up follows from the distance between the two, so neither the words nor the errors are
-// stored, which makes the table five times smaller. An entry of another word that stands in the way
-// does no harm: if its codeword is within the radius, it is a true answer as well.
+// slots as ends. An entry is only the index of the codeword and its turns. Whether it belongs to
+// the word that is looked up follows from the distance between the two, so neither the words nor
+// the errors are stored, which makes the table smaller. An entry of another word that stands in the
+// way does no harm: if its codeword is within the radius, it is a true answer as well.
 
 #include <cassert>
 #include <cstdint>
@@ -39,6 +40,18 @@ void visit_ball(Codeword centre, int bits, int radius, const Visit& visit) {
   }
 }
 
+/// The least of four turns, and which one it is.
+struct LeastTurn {
+  explicit LeastTurn(const FourTurns& turned) : word(turned[0]) {
+    for (unsigned turn = 1; turn < 4; ++turn) {
+      turns = turned[turn] < word ? turn : turns;
+      word = turned[turn] < word ? turned[turn] : word;
+    }
+  }
+  Codeword word;
+  unsigned turns = 0;
+};
+
 /// A number below `slots` for each word, evenly spread: two rounds of multiplying and folding, then
 /// the fraction word / 2^64 of the table.
 std::size_t slot_of(Codeword word, std::size_t slots) {
@@ -50,47 +63,53 @@ std::size_t slot_of(Codeword word, std::size_t slots) {
   return static_cast<std::size_t>((Wide{word} * slots) >> 64);
 }
 
-/// `Index`: an unsigned type that counts the codewords, with its largest value to spare.
-template <typename Index>
+/// `Number`: an unsigned type that counts the codewords' turns, with its largest value to spare.
+template <typename Number>
 class HashLookup final : public ListLookup {
  public:
   HashLookup(const TagList& tags, int radius)
       : ListLookup(tags, radius),
         slots_(tags.codewords.size() * ball_size(tags.bits, radius) * kSlotsPerEntry, kEmpty) {
     for (std::size_t i = 0; i < tags.codewords.size(); ++i) {
-      visit_ball(tags.codewords[i], tags.bits, radius,
-                 [&](Codeword word) { insert(word, static_cast<Index>(i)); });
+      visit_ball(tags.codewords[i], tags.bits, radius, [&](Codeword word) {
+        const LeastTurn least(four_turns(word, tags.bits));
+        insert(least.word, static_cast<Number>(4 * i + least.turns));
+      });
     }
   }
 
-  std::size_t table_bytes() const override { return slots_.size() * sizeof(Index); }
+  std::optional<Match> decode(Codeword observed) const override {
+    const FourTurns turned = four_turns(observed, bits());
+    const LeastTurn least(turned);
+    Nearest nearest;
+    for (std::size_t slot = slot_of(least.word, slots_.size()); slots_[slot] != kEmpty;
+         slot = after(slot)) {
+      // The codeword turned so often is near the least turn of the observed word.
+      const Number number = slots_[slot];
+      compare(turned[(least.turns - number) & 3], number >> 2, nearest);
+    }
+    return answer(turned, nearest);
+  }
+
+  std::size_t table_bytes() const override { return slots_.size() * sizeof(Number); }
 
  private:
-  static constexpr Index kEmpty = std::numeric_limits<Index>::max();
-
-  Nearest nearest(Codeword word) const override {
-    Nearest nearest;
-    for (std::size_t slot = slot_of(word, slots_.size()); slots_[slot] != kEmpty;
-         slot = after(slot)) {
-      compare(word, slots_[slot], nearest);
-    }
-    return nearest;
-  }
+  static constexpr Number kEmpty = std::numeric_limits<Number>::max();
 
   std::size_t after(std::size_t slot) const { return slot + 1 == slots_.size() ? 0 : slot + 1; }
 
-  void insert(Codeword word, Index index) {
+  void insert(Codeword word, Number number) {
     std::size_t slot = slot_of(word, slots_.size());
     while (slots_[slot] != kEmpty) slot = after(slot);
-    slots_[slot] = index;
+    slots_[slot] = number;
   }
 
-  std::vector<Index> slots_;
+  std::vector<Number> slots_;  // 4 * index + turns
 };
 
-/// Whether 16 bits count so many codewords.
+/// Whether 16 bits count the turns of so many codewords.
 bool fits_16_bits(std::size_t codewords) {
-  return codewords <= std::numeric_limits<std::uint16_t>::max();
+  return 4 * codewords <= std::numeric_limits<std::uint16_t>::max();
 }
 
 }  // namespace

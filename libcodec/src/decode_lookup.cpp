@@ -1,25 +1,15 @@
 #include "decode_lookup.h"
 
-#include "tagmint/codec/rotation.h"
-
 namespace tagmint::codec {
 
-std::optional<Match> ListLookup::decode(Codeword observed) const {
-  Nearest best;
-  int best_turns = 0;
-  for (int turns = 0; turns < 4; ++turns, observed = rotate_quarter(observed, tags_.bits)) {
-    const Nearest found = nearest(observed);
-    if (!found.found() || found.distance > best.distance) continue;
-    if (found.distance < best.distance) {
-      best = found;
-      best_turns = turns;
-    } else if (found.tie || found.index != best.index) {
-      best.tie = true;
-    }
+Match ListLookup::match_of(const FourTurns& turned, const Nearest& nearest) const {
+  int turns = 0;
+  while (hamming_distance(turned[static_cast<std::size_t>(turns)], codewords()[nearest.index]) !=
+         nearest.distance) {
+    ++turns;
   }
-  if (!best.found() || best.tie) return std::nullopt;
-  const TagId id = tags_.ids.empty() ? static_cast<TagId>(best.index) : tags_.ids[best.index];
-  return Match{id, best.distance, best_turns};
+  const TagId id = tags_.ids.empty() ? static_cast<TagId>(nearest.index) : tags_.ids[nearest.index];
+  return {id, nearest.distance, turns};
 }
 
 }  // namespace tagmint::codec

@@ -78,7 +78,7 @@ DecoderEngine Decoder::chosen_engine(DecoderEngine wanted) const {
     return DecoderEngine::InformationSets;
   }
   const bool hash_fits = hash_can && codec::hash_table_bytes(id_count(), family_->bits(),
-                                                             max_errors_) <= kMaxTableBytes;
+                                                             max_errors_) <= kMostHashBytes;
   return hash_fits ? DecoderEngine::Hash : DecoderEngine::Chunks;
 }
 

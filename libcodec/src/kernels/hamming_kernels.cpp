@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "tagmint/codec/rotation.h"
 
 // Highway compiles this file once for each set of instructions, also for the AVX-512 that counts
 // bits, which it leaves out unless asked.
@@ -145,12 +144,6 @@ int least_distance(Codeword word, const FourTurns& probes) {
 }
 
 }  // namespace
-
-FourTurns four_turns(Codeword word, int bits) {
-  const Codeword quarter = rotate_quarter(word, bits);
-  const Codeword half = rotate_quarter(quarter, bits);
-  return {word, quarter, half, rotate_quarter(half, bits)};
-}
 
 std::size_t first_within(std::span<const Codeword> words, Codeword probe, int radius) {
   return HWY_DYNAMIC_DISPATCH(first_within_one)(words, probe, radius);

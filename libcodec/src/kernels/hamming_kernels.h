@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 
+#include "four_turns.h"
 #include "tagmint/codec/codeword.h"
 
 /// Comparisons of one probe with many codewords, the inner loops of family statistics and searches.
@@ -14,11 +15,6 @@ namespace tagmint::codec {
 
 /// Number of pairs (or words) at each Hamming distance 0..64.
 using DistanceHistogram = std::array<std::uint64_t, kMaxBits + 1>;
-
-/// The four turns of one word, rotate(word, bits, 0..3).
-using FourTurns = std::array<Codeword, 4>;
-
-FourTurns four_turns(Codeword word, int bits);
 
 /// Index of the first of `words` within `radius` bits of `probe`; words.size() when there is none.
 ///   cost   O(index), some ten words a nanosecond with AVX-512

@@ -24,12 +24,13 @@ struct Match {
 enum class DecoderEngine {
   /// InformationSets for the codes of a generator, up to the safe radius of the smallest level that
   /// holds the ids, and where there are too many ids to list; else Hash while max_errors <= 2 and
-  /// its table fits in kMaxTableBytes; else Chunks.
+  /// its table has at most kMostHashBytes; else Chunks.
   Auto,
   BruteForce,  ///< compare with every codeword: the reference, no tables
   Hash,  ///< all words within max_errors (at most 2) of a codeword in a hash table [WangOlson2016,
          ///< III-E]
-  Chunks,  ///< max_errors + 1 chunks, of which one must be intact: small tables, any radius
+  Chunks,  ///< codewords by some chunks of the word, of which one must be intact: small tables, any
+           ///< radius
   InformationSets,  ///< of generated families only: the words of the generator's code near the
                     ///< observed one are found without a list of them, at any radius
 };
@@ -49,15 +50,17 @@ struct DecoderOptions {
 /// it between threads through std::shared_ptr<const Decoder>.
 class Decoder {
  public:
-  /// Most memory that DecoderEngine::Auto spends on a hash table.
-  static constexpr std::size_t kMaxTableBytes = std::size_t{64} << 20;
+  /// Largest hash table that DecoderEngine::Auto makes: one that stays in the fastest caches. A
+  /// larger one is slower than Chunks (docs/benchmarks.md).
+  static constexpr std::size_t kMostHashBytes = std::size_t{64} << 10;
 
   /// Throws std::invalid_argument when family is null, max_errors is negative, above the safe
   /// radius of the ids without allow_unsafe_radius, above the bits of a word, or above 2 for the
   /// Hash engine, an id is not in the family, or a listed family is to be decoded by information
   /// sets. An id given twice counts once.
-  ///   cost   Hash: ids * (words within max_errors) table entries, some 50 million a second; for
-  ///   chosen ids that of distance_of_ids() on one thread; InformationSets: below a millisecond
+  ///   cost   Hash: ids * (words within max_errors) table entries, some 30 million a second;
+  ///   Chunks: 8 * ids entries at radius 2, some 20 million a second; for chosen ids that of
+  ///   distance_of_ids() on one thread; InformationSets: below a millisecond
   explicit Decoder(SharedFamily family, DecoderOptions options = {});
   ~Decoder();
   Decoder(Decoder&&) noexcept;
@@ -66,10 +69,10 @@ class Decoder {
   /// The tag nearest to `observed` over the four rotations, if it is within max_errors() and no
   /// other tag is as near. Of several turns of the same tag that are equally near, the fewest.
   ///   observed   layout().bits() low bits, the rest zero
-  ///   cost       Hash: four table look-ups; Chunks: 4 * (max_errors + 1) short lists; BruteForce:
-  ///   4 * ids compares; InformationSets: some compares, 26 for 16.8 million words of 48 bits at
-  ///   radius 2, 602 at radius 5
-  ///   errors     none; safe to call from many threads at once
+  ///   cost       Hash: one table look-up; Chunks: six filtered ones at radius 2, two at 1, one at
+  ///   0, 4 * (max_errors + 1) lists above; BruteForce: 4 * ids compares; InformationSets: some
+  ///   compares, 26 for 16.8 million words of 48 bits at radius 2, 602 at radius 5 errors     none;
+  ///   safe to call from many threads at once
   std::optional<Match> decode(Codeword observed) const;
 
   const SharedFamily& family() const { return family_; }
