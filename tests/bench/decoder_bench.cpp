@@ -1,5 +1,6 @@
-// How long a random word and a word with errors take to be looked up, by family, engine and number
-// of corrected errors. Family files given as arguments are measured beside the bundled families:
+// How long a random word and a word with errors take to be looked up: first, without a filter, as a
+// table beside libapriltag's way where that is installed; then by family, engine and number of
+// corrected errors. Family files given as arguments are measured beside the bundled families:
 //   decoder_bench my.json --benchmark_filter=my
 
 #include <benchmark/benchmark.h>
@@ -15,6 +16,9 @@
 #include <utility>
 #include <vector>
 
+#ifdef TAGMINT_HAVE_APRILTAG
+#include "decoders_beside_libapriltag.h"
+#endif
 #include "support/fixed_random.h"
 #include "tagmint/codec/builtin_families.h"
 #include "tagmint/codec/decoder.h"
@@ -107,9 +111,12 @@ void register_family(const codec::SharedFamily& family) {
 
 int run(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
+#ifdef TAGMINT_HAVE_APRILTAG
+  if (benchmark::GetBenchmarkFilter().empty()) bench::print_decoders_beside_libapriltag();
+#endif
   try {
-    for (const char* name :
-         {"tag36h11", "tag36h10", "tagStandard41h12", "tagCustom48h12", "tagStandard52h13"}) {
+    for (const char* name : {"tag16h5", "tagCircle21h7", "tag25h9", "tag36h11", "tag36h10",
+                             "tagStandard41h12", "tagCustom48h12", "tagStandard52h13"}) {
       register_family(codec::find_family(name));
     }
     for (const std::string& name : codec::family_names()) {
