@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -206,9 +207,17 @@ class CodeSearch {
     for (const Codeword word : free_code.basis()) words.push_back(word << (bits % 4));
     TurnCode code(bits);
     code.adjoin(words);
+    const std::vector<int> distances = falling_distances(options_);
     const KnownChain known{"lifted quasi-cyclic code", bits, {{code, options_.min_hamming}}};
-    return search_chain(bits, falling_distances(options_), &known, false, effort(kWordsPerLevel),
-                        random);
+    CodeChain downward =
+        search_chain(bits, distances, &known, false, effort(kWordsPerLevel), random);
+    // The other way round a large level of a small distance may leave none of the larger one.
+    CodeChain upward = search_inside({code, options_.min_hamming},
+                                     std::span(distances).first(distances.size() - 1),
+                                     effort(kWordsPerLevel), random);
+    upward.construction = known.name;
+    constexpr double kSame = 1e-9;  // sums of logarithms
+    return value_of(upward) > value_of(downward) + kSame ? upward : downward;
   }
 
   std::optional<CodeChain> with_inner_levels(const CodeChain& whole) {
