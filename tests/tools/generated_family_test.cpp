@@ -113,7 +113,7 @@ TEST(GeneratedFamilyTools, InfoTellsEachLevel) {
 
   const std::string text = tagmint({"info", file}).out;
   for (const char* part :
-       {"complexity   energy:0.3333; 121100 of 130816 tags pass\n",
+       {"complexity    energy:0.3333; 121100 of 130816 tags pass\n",
         "Levels, with the false-accept rate of random words by corrected bits\n",
         "       ids    tags  distance  found  safe radius  at 0 bits  at 2 bits  at the safe radius"
         "  pass complexity\n",
