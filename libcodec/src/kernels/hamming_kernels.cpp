@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-
 // Highway compiles this file once for each set of instructions, also for the AVX-512 that counts
 // bits, which it leaves out unless asked.
 #define HWY_WANT_AVX3_DL
