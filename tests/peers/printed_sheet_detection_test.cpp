@@ -19,13 +19,18 @@ namespace {
 
 constexpr double kDpi = 300;
 
-/// Without corrected errors, so that the letters beside the tags of small families are no tags.
+/// Without corrected errors, so that the letters beside the tags of small families are no tags;
+/// with corners from the border lines alone, since drawn edges have no blur.
 detect::Detector detector_of(const std::string& family) {
-  return detect::Detector({std::make_shared<const codec::Decoder>(
-      codec::find_family(family), codec::DecoderOptions{.max_errors = 0,
-                                                        .allow_unsafe_radius = false,
-                                                        .engine = codec::DecoderEngine::Auto,
-                                                        .ids = {}})});
+  detect::DetectorOptions options;
+  options.refine_photometric = false;
+  return detect::Detector(
+      {std::make_shared<const codec::Decoder>(
+          codec::find_family(family), codec::DecoderOptions{.max_errors = 0,
+                                                            .allow_unsafe_radius = false,
+                                                            .engine = codec::DecoderEngine::Auto,
+                                                            .ids = {}})},
+      options);
 }
 
 /// Expects that each planned tag of the page, and nothing else, is found where the plan has it.

@@ -3,6 +3,7 @@
 #include <sys/mount.h>
 
 #include <algorithm>
+#include <csignal>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -192,6 +193,17 @@ TEST_F(SheetKinds, OptionsWithoutMeaningAreRefused) {
   refused({"tag36h11:400mm:0"}, "a.pdf", 2, "not one tag fits on the page");
   refused({"tag36h11:40mm:587"}, "a.pdf", 2, "587");
   refused({"tag36h11:40mm:0"}, "no/a.pdf", 4, "there is no folder");
+}
+
+TEST_F(SheetKinds, AnInterruptedRunLeavesNothing) {
+  test::RunningProgram program(test::tagmint_words(
+      {"sheet", "rot48:20mm:0-99999", "--progress", "json", "-o", folder_.file("many.pdf")}));
+  ASSERT_TRUE(program.wait_for_stderr("\"unit\":\"pages\""));
+  program.send_signal(SIGINT);
+  const ProgramResult result = program.finish();
+  EXPECT_EQ(result.exit_code, 130);
+  EXPECT_TRUE(has(result.err, "tagmint: error: interrupted; nothing was written")) << result.err;
+  EXPECT_TRUE(folder_.names().empty());
 }
 
 TEST_F(SheetKinds, AFullDeviceIsToldInOneLine) {
