@@ -8,9 +8,16 @@
 namespace tagmint::detect {
 namespace {
 
-/// Noise raises the contrast floor up to here, gray levels: above, tags in good light would be
-/// lost.
+/// The noise of most of the picture may be texture, so it raises the contrast floor up to the lower
+/// bound, gray levels; that of its calmest parts up to the higher one. Above, tags in good light
+/// would be lost.
 constexpr int kMostNoiseFloor = 36;
+constexpr int kMostCalmNoiseFloor = 150;
+/// Noise beyond what the floor can keep out, gray levels, is smoothed first: by a Gaussian of this
+/// sigma, px, which leaves this share of it.
+constexpr double kSmoothedNoise = 18;
+constexpr double kSmoothingSigmaPx = 0.8;
+constexpr double kNoiseLeft = 0.36;
 
 void show_clusters(const Clusters& clusters, DebugSink& debug) {
   std::vector<Point> points;
@@ -40,6 +47,24 @@ PaperPath::PaperPath(const DetectorOptions& o, const QuadKinds& kinds)
                     .reversed_borders = kinds.reversed_borders},
       refine_options_{.search_px = o.decimate + 1, .cells_at_border = kinds.cells_at_border} {}
 
+/// Raises the contrast floor with the noise of `working`; returns it, or smoothed where that is not
+/// enough.
+ImageView PaperPath::answer_noise(ImageView working, ThresholdOptions& threshold_options) {
+  double noise = estimate_noise(working);
+  double calm_noise = estimate_calm_noise(working);
+  if (calm_noise > kSmoothedNoise && preprocess_options_.blur_sigma_px == 0) {
+    working = preprocess(working, {.decimate = 1, .blur_sigma_px = kSmoothingSigmaPx},
+                         preprocess_scratch_, smoothed_);
+    noise *= kNoiseLeft;
+    calm_noise *= kNoiseLeft;
+  }
+  const int least = threshold_options.min_contrast;
+  threshold_options.min_contrast =
+      std::max(contrast_floor(noise, least, std::max(kMostNoiseFloor, least)),
+               contrast_floor(calm_noise, least, std::max(kMostCalmNoiseFloor, least)));
+  return working;
+}
+
 /// Stages 1 to 4; returns the working image.
 ImageView PaperPath::find_clusters(ImageView full, DetectStats& stats, DebugSink* debug) {
   ImageView working;
@@ -47,14 +72,12 @@ ImageView PaperPath::find_clusters(ImageView full, DetectStats& stats, DebugSink
     const StageTimer timer(stats, Stage::Preprocess);
     working = preprocess(full, preprocess_options_, preprocess_scratch_, preprocessed_);
   }
-  if (debug) debug->preprocessed(working);
   ThresholdOptions threshold_options = threshold_options_;
   if (contrast_by_noise_) {
     const StageTimer timer(stats, Stage::NoiseFloor);
-    threshold_options.min_contrast =
-        contrast_floor(estimate_noise(working), threshold_options_.min_contrast,
-                       std::max(kMostNoiseFloor, threshold_options_.min_contrast));
+    working = answer_noise(working, threshold_options);
   }
+  if (debug) debug->preprocessed(working);
   {
     const StageTimer timer(stats, Stage::Threshold);
     threshold(working, threshold_options, threshold_scratch_, three_valued_);

@@ -43,6 +43,7 @@ class PaperPath {
     DetectStats stats;
   };
 
+  ImageView answer_noise(ImageView working, ThresholdOptions& threshold_options);
   ImageView find_clusters(ImageView full, DetectStats& stats, DebugSink* debug);
   void fit_quads(ImageView working, WorkShare& share, DetectStats& stats);
   void refine(ImageView full, WorkShare& share, DetectStats& stats);
@@ -58,6 +59,7 @@ class PaperPath {
 
   PreprocessScratch preprocess_scratch_;
   Image preprocessed_;
+  Image smoothed_;
   ThresholdScratch threshold_scratch_;
   Image three_valued_;
   SegmentScratch segment_scratch_;

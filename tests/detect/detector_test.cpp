@@ -251,6 +251,24 @@ TEST(Detector, NoiseHoldsNoTags) {
   EXPECT_GT(stats.boundary_points, 0);
 }
 
+TEST(Detector, ThePapersPathFindsTagsInNoiseOfAnyStrength) {
+  for (const double noise : {0.0, 5.0, 10.0, 20.0, 35.0}) {
+    const Scene scene = grid_of({classic()}, 4, 3, 60, noise);
+    Detector paper({decoder_of(classic())}, {.algorithm = Algorithm::Paper});
+    EXPECT_GE(paper.detect(scene.image).size(), noise > 20 ? 10u : 12u) << noise;
+  }
+}
+
+TEST(Detector, NoiseCostsThePapersPathFewBoundariesUnlessTheFloorIsFixed) {
+  const Scene scene = grid_of({classic()}, 4, 3, 60, 8);
+  DetectStats follows, fixed;
+  Detector({decoder_of(classic())}, {.algorithm = Algorithm::Paper}).detect(scene.image, &follows);
+  Detector({decoder_of(classic())}, {.algorithm = Algorithm::Paper, .contrast_by_noise = false})
+      .detect(scene.image, &fixed);
+  EXPECT_LT(4 * follows.boundary_points, fixed.boundary_points);
+  EXPECT_EQ(follows.detections, fixed.detections);
+}
+
 TEST(Detector, EachQuadIsAccountedFor) {
   const Scene scene = grid_of({classic()}, 3, 3, 40, 4);
   DetectStats stats;
@@ -290,6 +308,18 @@ class Recorder : public DebugSink {
   }
   void detections(std::span<const Detection>) override { calls += 'd'; }
 };
+
+TEST(Detector, DebuggingDoesNotChangeWhatThePapersPathFinds) {
+  const Scene scene = grid_of({classic()}, 4, 3, 40, 4);
+  Detector detector({decoder_of(classic())}, {.algorithm = Algorithm::Paper});
+  DetectStats plain_stats, debug_stats;
+  const auto plain = detector.detect(scene.image, &plain_stats);
+  Recorder recorder;
+  const auto debugged = detector.detect(scene.image, &debug_stats, &recorder);
+  ASSERT_EQ(plain.size(), debugged.size());
+  for (std::size_t i = 0; i < plain.size(); ++i) EXPECT_EQ(plain[i].corners, debugged[i].corners);
+  EXPECT_EQ(plain_stats.quads, debug_stats.quads);
+}
 
 TEST(Detector, TheDebugSinkTakesEachPictureOnceInOrder) {
   const Scene scene = grid_of({classic()}, 2, 1, 40);

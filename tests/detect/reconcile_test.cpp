@@ -20,7 +20,15 @@ const codec::SharedFamily kBeta = family("beta");
 Detection at(Point centre, codec::TagId id, double side = 20, int hamming = 0, double margin = 50,
              const codec::SharedFamily& of = kAlpha) {
   const Homography h = testing::square_at(centre, side);
-  return {of, id, hamming, margin, centre, testing::corners_of(h), h};
+  Detection detection;
+  detection.family = of;
+  detection.id = id;
+  detection.hamming = hamming;
+  detection.decision_margin = margin;
+  detection.center = centre;
+  detection.corners = testing::corners_of(h);
+  detection.homography = h;
+  return detection;
 }
 
 std::vector<Detection> reconciled(std::vector<Detection> candidates) {

@@ -116,6 +116,21 @@ TEST(Segment, ASpiralIsOneComponentForEachColour) {
   EXPECT_EQ(components.size[0] + components.size[1], 81u);
 }
 
+/// The smallest boxes about the components, pixel by pixel.
+std::vector<PixelBox> boxes_of(const Filled& filled, int width) {
+  std::vector<PixelBox> boxes(filled.size.size(), {1 << 30, 1 << 30, 0, 0});
+  for (std::size_t i = 0; i < filled.of_pixel.size(); ++i) {
+    if (filled.of_pixel[i] == kNoComponent) continue;
+    PixelBox& box = boxes[filled.of_pixel[i]];
+    const int x = static_cast<int>(i) % width, y = static_cast<int>(i) / width;
+    box.left = std::min(box.left, x);
+    box.top = std::min(box.top, y);
+    box.right = std::max(box.right, x + 1);
+    box.bottom = std::max(box.bottom, y + 1);
+  }
+  return boxes;
+}
+
 TEST(Segment, AgreesWithFloodFillOnRandomPicturesOfOddSizes) {
   testing::FixedRandom random(5);
   for (int round = 0; round < 150; ++round) {
@@ -138,6 +153,7 @@ TEST(Segment, AgreesWithFloodFillOnRandomPicturesOfOddSizes) {
     EXPECT_EQ(component_of_each_pixel(fast), slow.of_pixel)
         << width << " x " << height << ", round " << round;
     EXPECT_EQ(fast.size, slow.size);
+    EXPECT_EQ(fast.box, boxes_of(slow, width));
   }
 }
 

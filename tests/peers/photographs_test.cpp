@@ -69,8 +69,10 @@ Agreement compare_photographs(const detect::DetectorOptions& options) {
   return agreement;
 }
 
-TEST(Photographs, EveryLabelledTagIsFoundInItsPlaceAndNoOther) {
-  const Agreement agreement = compare_photographs({});
+class Photographs : public testing::TestWithParam<detect::Algorithm> {};
+
+TEST_P(Photographs, EveryLabelledTagIsFoundInItsPlaceAndNoOther) {
+  const Agreement agreement = compare_photographs({.algorithm = GetParam()});
   EXPECT_EQ(agreement.labelled, 291);
   EXPECT_EQ(agreement.missed, 0);
   EXPECT_EQ(agreement.unlabelled, 0);
@@ -78,13 +80,20 @@ TEST(Photographs, EveryLabelledTagIsFoundInItsPlaceAndNoOther) {
   EXPECT_LT(agreement.median_corner_distance_px, 0.25);
 }
 
-TEST(Photographs, DecimatedByTwoMostAreFound) {
+TEST_P(Photographs, DecimatedByTwoMostAreFound) {
   detect::DetectorOptions options;
+  options.algorithm = GetParam();
   options.decimate = 2;
   const Agreement agreement = compare_photographs(options);
   EXPECT_LE(agreement.missed, 55) << "libapriltag 3.3 misses 61 at decimate 2";
   EXPECT_EQ(agreement.unlabelled, 0);
 }
+
+INSTANTIATE_TEST_SUITE_P(Algorithms, Photographs,
+                         testing::Values(detect::Algorithm::Tracker, detect::Algorithm::Paper),
+                         [](const auto& info) {
+                           return info.param == detect::Algorithm::Paper ? "Paper" : "Tracker";
+                         });
 
 }  // namespace
 }  // namespace tagmint

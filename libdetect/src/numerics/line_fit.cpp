@@ -7,42 +7,11 @@
 namespace tagmint::detect {
 namespace {
 
-/// Mean and covariance of weighted points.
-struct Spread {
-  Point mean;
-  double xx, xy, yy;  ///< covariance, px^2
-};
-
-Spread spread_of(const LineMoments& sum) {
-  assert(sum.w > 0);
-  const double inverse = 1 / sum.w;
-  const Point mean{sum.x * inverse, sum.y * inverse};
-  return {mean, sum.xx * inverse - mean.x * mean.x, sum.xy * inverse - mean.x * mean.y,
-          sum.yy * inverse - mean.y * mean.y};
-}
-
-/// Smaller eigenvalue of the symmetric matrix (xx xy; xy yy), not below zero.
-double smaller_eigenvalue(const Spread& s) {
-  const double difference = s.xx - s.yy;
-  const double root = std::sqrt(difference * difference + 4 * s.xy * s.xy);
-  return std::max(0.0, 0.5 * (s.xx + s.yy - root));
-}
+using line_fit::smaller_eigenvalue;
+using line_fit::Spread;
+using line_fit::spread_of;
 
 }  // namespace
-
-LineMoments& LineMoments::operator+=(const LineMoments& o) {
-  w += o.w;
-  x += o.x;
-  y += o.y;
-  xx += o.xx;
-  xy += o.xy;
-  yy += o.yy;
-  return *this;
-}
-
-LineMoments operator-(const LineMoments& a, const LineMoments& b) {
-  return {a.w - b.w, a.x - b.x, a.y - b.y, a.xx - b.xx, a.xy - b.xy, a.yy - b.yy};
-}
 
 void line_moments(std::span<const Point> points, std::span<const double> weights,
                   std::vector<LineMoments>& moments) {
@@ -56,15 +25,6 @@ void line_moments(std::span<const Point> points, std::span<const double> weights
     moments[i] = sum;
   }
 }
-
-LineMoments moments_between(std::span<const LineMoments> moments, int i0, int i1) {
-  assert(i0 >= 0 && i0 < std::ssize(moments) && i1 >= 0 && i1 < std::ssize(moments));
-  const LineMoments before = i0 > 0 ? moments[i0 - 1] : LineMoments{};
-  if (i0 <= i1) return moments[i1] - before;
-  return moments.back() - before + moments[i1];
-}
-
-double line_fit_mse(const LineMoments& sum) { return smaller_eigenvalue(spread_of(sum)); }
 
 LineFit fit_line(const LineMoments& sum) {
   const Spread s = spread_of(sum);

@@ -43,27 +43,40 @@ struct Heap {
   }
 };
 
+/// Coordinates in whole 2^-15 px, which reach to 131,071 px in 32 bits; the place within a pixel
+/// counts in 2^-8, a sixth of a gray level at the steepest edge.
+constexpr int kPlaceBits = 15;
+constexpr int kShareBits = 8;
+constexpr std::uint32_t kShareMask = (1u << kShareBits) - 1;
+constexpr double kPlaceUnits = 1 << kPlaceBits;
+
 /// Fills profile.gray with `count` values from `start` on, which with the last one lies well inside
 /// the image.
 void sample_line(ImageView image, Point start, Point step, int count, float sign,
                  NormalProfile& profile) {
   // Pixel (i, j) has its value at its centre (i + 0.5, j + 0.5). Beyond the last column or row the
   // next pixel has no weight; the one before stands in for it.
-  auto u = static_cast<float>(start.x - 0.5), v = static_cast<float>(start.y - 0.5);
-  const auto du = static_cast<float>(step.x), dv = static_cast<float>(step.y);
-  const int last_x = image.width - 2, last_y = image.height - 2;
-  for (int i = 0; i < count; ++i) {
-    const int x = std::clamp(static_cast<int>(u), 0, last_x);
-    const int y = std::clamp(static_cast<int>(v), 0, last_y);
-    const float fx = u - static_cast<float>(x), fy = v - static_cast<float>(y);
-    const std::uint8_t* top = image.data + y * image.stride + x;
+  auto u = static_cast<std::uint32_t>(std::max(0.0, (start.x - 0.5) * kPlaceUnits));
+  auto v = static_cast<std::uint32_t>(std::max(0.0, (start.y - 0.5) * kPlaceUnits));
+  const auto du = static_cast<std::uint32_t>(static_cast<std::int32_t>(step.x * kPlaceUnits));
+  const auto dv = static_cast<std::uint32_t>(static_cast<std::int32_t>(step.y * kPlaceUnits));
+  const std::uint32_t last_x =
+      static_cast<std::uint32_t>(image.width - 2) << kPlaceBits | ((1u << kPlaceBits) - 1);
+  const std::uint32_t last_y =
+      static_cast<std::uint32_t>(image.height - 2) << kPlaceBits | ((1u << kPlaceBits) - 1);
+  const float scale = sign / (1 << 2 * kShareBits);
+  for (int i = 0; i < count; ++i, u += du, v += dv) {
+    const std::uint32_t x = std::min(u, last_x), y = std::min(v, last_y);
+    const auto fx = static_cast<int>(x >> (kPlaceBits - kShareBits) & kShareMask);
+    const auto fy = static_cast<int>(y >> (kPlaceBits - kShareBits) & kShareMask);
+    const std::uint8_t* top = image.data +
+                              static_cast<std::ptrdiff_t>(y >> kPlaceBits) * image.stride +
+                              (x >> kPlaceBits);
     const std::uint8_t* bottom = top + image.stride;
-    const auto a = static_cast<float>(top[0]), b = static_cast<float>(bottom[0]);
-    const float upper = a + fx * static_cast<float>(top[1] - top[0]);
-    const float lower = b + fx * static_cast<float>(bottom[1] - bottom[0]);
-    profile.gray[static_cast<std::size_t>(i)] = sign * (upper + fy * (lower - upper));
-    u += du;
-    v += dv;
+    const int upper = (top[0] << kShareBits) + fx * (top[1] - top[0]);
+    const int lower = (bottom[0] << kShareBits) + fx * (bottom[1] - bottom[0]);
+    const int value = (upper << kShareBits) + fy * (lower - upper);
+    profile.gray[static_cast<std::size_t>(i)] = scale * static_cast<float>(value);
   }
 }
 

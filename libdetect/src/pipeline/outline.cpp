@@ -41,26 +41,6 @@ Outline outline_of(std::span<const BoundaryPoint> cluster) {
   return o;
 }
 
-void OutlineSums::add(int begin, int end, int y, int dx, int dy, int to_white) {
-  const int count = end - begin;
-  // Half-way between the centres (x, y) + 1/2 and (x + dx, y + dy) + 1/2.
-  const int twice_y = 2 * y + 1 + dy;
-  left_ = std::min(left_, 2 * begin + 1 + dx);
-  right_ = std::max(right_, 2 * end - 1 + dx);
-  top_ = std::min(top_, twice_y);
-  bottom_ = std::max(bottom_, twice_y);
-  points_ += count;
-  if (dx != 0 && dy != 0) return;
-  if (dy == 0) {
-    // x from begin to end - 1, at twice_x = 2 x + 2: the sum of all.
-    twice_flux_ += std::int64_t{to_white} * count * (begin + end + 1);
-    normal_x_ += to_white * count;
-  } else {
-    twice_flux_ += std::int64_t{to_white} * count * twice_y;
-    normal_y_ += to_white * count;
-  }
-}
-
 Outline OutlineSums::outline() const {
   Outline o{.left = 0.5 * left_, .top = 0.5 * top_, .right = 0.5 * right_, .bottom = 0.5 * bottom_};
   o.points = points_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 
@@ -71,5 +72,25 @@ void count_refusal(OutlineVerdict verdict, DetectStats& stats);
 /// 1.02 and 0.6 to 1.2 when decimated to their last legible pixels. Quads fitted to noise have any.
 inline constexpr double kSmallestFilledShare = 0.6;
 inline constexpr double kLargestFilledShare = 1.3;
+
+inline void OutlineSums::add(int begin, int end, int y, int dx, int dy, int to_white) {
+  const int count = end - begin;
+  // Half-way between the centres (x, y) + 1/2 and (x + dx, y + dy) + 1/2.
+  const int twice_y = 2 * y + 1 + dy;
+  left_ = std::min(left_, 2 * begin + 1 + dx);
+  right_ = std::max(right_, 2 * end - 1 + dx);
+  top_ = std::min(top_, twice_y);
+  bottom_ = std::max(bottom_, twice_y);
+  points_ += count;
+  if (dx != 0 && dy != 0) return;
+  if (dy == 0) {
+    // x from begin to end - 1, at twice_x = 2 x + 2: the sum of all.
+    twice_flux_ += std::int64_t{to_white} * count * (begin + end + 1);
+    normal_x_ += to_white * count;
+  } else {
+    twice_flux_ += std::int64_t{to_white} * count * twice_y;
+    normal_y_ += to_white * count;
+  }
+}
 
 }  // namespace tagmint::detect

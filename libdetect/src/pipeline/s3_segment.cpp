@@ -57,17 +57,28 @@ void join_rows(std::size_t above, std::size_t here, std::size_t end,
   }
 }
 
-/// Numbers the sets in the order of their first runs and notes the number in each run.
+/// Numbers the sets in the order of their first runs, notes the number in each run, and finds the
+/// boxes.
 void number_components(SegmentScratch& s, Components& out) {
   s.root_component.assign(out.runs.size(), kNoComponent);
   out.size.clear();
-  for (std::size_t i = 0; i < out.runs.size(); ++i) {
-    const std::uint32_t root = s.sets.find(static_cast<std::uint32_t>(i));
-    if (s.root_component[root] == kNoComponent) {
-      s.root_component[root] = static_cast<std::uint32_t>(out.size.size());
-      out.size.push_back(s.sets.weight(root));
+  out.box.clear();
+  for (int y = 0; y < out.height; ++y) {
+    for (std::size_t i = out.row_begin[y]; i < out.row_begin[y + 1]; ++i) {
+      PixelRun& run = out.runs[i];
+      const std::uint32_t root = s.sets.find(static_cast<std::uint32_t>(i));
+      std::uint32_t& component = s.root_component[root];
+      if (component == kNoComponent) {
+        component = static_cast<std::uint32_t>(out.size.size());
+        out.size.push_back(s.sets.weight(root));
+        out.box.push_back({run.begin, y, run.end, y + 1});
+      }
+      run.component = component;
+      PixelBox& box = out.box[component];
+      box.left = std::min(box.left, run.begin);
+      box.right = std::max(box.right, run.end);
+      box.bottom = y + 1;
     }
-    out.runs[i].component = s.root_component[root];
   }
 }
 

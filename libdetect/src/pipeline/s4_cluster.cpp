@@ -63,6 +63,7 @@ class BoundaryWalk {
   BoundaryWalk(const Components& components, const ClusterOptions& options, ClusterScratch& scratch)
       : components_(components),
         min_component_(static_cast<std::uint32_t>(std::max(options.min_component_pixels, 0))),
+        outer_(outer_colour(options)),
         scratch_(scratch) {}
 
   void run() {
@@ -93,12 +94,33 @@ class BoundaryWalk {
     }
   }
 
+  /// The colour that has to be outside, if it has to be one.
+  static std::optional<std::uint8_t> outer_colour(const ClusterOptions& options) {
+    if (!options.limits || options.limits->normal_borders == options.limits->reversed_borders) {
+      return std::nullopt;
+    }
+    return options.limits->normal_borders ? kWhite : kBlack;
+  }
+
+  /// Whether `outer` may lie around `inner`: a component inside another one ends before it on all
+  /// four sides, one around it, though perhaps not all the way, does on two sides at most.
+  bool may_lie_around(const PixelRun& outer, const PixelRun& inner) const {
+    const PixelBox& o = components_.box[outer.component];
+    const PixelBox& i = components_.box[inner.component];
+    return (o.left <= i.left) + (o.top <= i.top) + (o.right >= i.right) + (o.bottom >= i.bottom) >=
+           2;
+  }
+
   bool large_enough(const PixelRun& run) const {
     return components_.size[run.component] >= min_component_;
   }
 
   void meet(int y, std::size_t upper_index, const PixelRun& upper, std::uint32_t lower_index,
             const PixelRun& other) {
+    if (outer_) {
+      const bool upper_is_outer = upper.value == *outer_;
+      if (!may_lie_around(upper_is_outer ? upper : other, upper_is_outer ? other : upper)) return;
+    }
     const std::uint32_t cluster = cluster_of_pair(upper, other);
     scratch_.meetings.push_back({cluster, static_cast<std::uint32_t>(upper_index), lower_index, y});
     OutlineSums& outline = scratch_.outlines[cluster];
@@ -121,6 +143,7 @@ class BoundaryWalk {
 
   const Components& components_;
   std::uint32_t min_component_;
+  std::optional<std::uint8_t> outer_;
   ClusterScratch& scratch_;
   std::uint64_t last_key_ = 0;
   std::uint32_t last_cluster_ = 0;

@@ -31,6 +31,7 @@ constexpr double kMaxShift = 3.0;
 
 /// The first round only brings the sides near enough for the second: it looks at every third place.
 constexpr int kCoarseStride = 3;
+constexpr int kMinCoarseSamples = 5;
 
 /// A side of the quad: from + along * t, t in [0, length]; `outward` points away from the quad.
 struct Side {
@@ -97,7 +98,8 @@ int read_profiles(ImageView full, const Side& side, const Search& search,
   const double margin = std::min(kCornerMargin, kCornerShare * side.length);
   const double usable = side.length - 2 * margin;
   const int places =
-      std::clamp(static_cast<int>(usable) / search.stride, kMinEdgeSamples, kMaxEdgeSamples);
+      std::clamp(static_cast<int>(usable) / search.stride,
+                 search.stride > 1 ? kMinCoarseSamples : kMinEdgeSamples, kMaxEdgeSamples);
   profiles.clear();
   for (int i = 0; i < places; ++i) {
     const double t = margin + (i + 0.5) / places * usable;

@@ -26,6 +26,15 @@ struct PixelRun {
   std::uint8_t value = 0;  ///< kBlack or kWhite
 };
 
+/// Pixels left to right - 1 and top to bottom - 1.
+struct PixelBox {
+  std::int32_t left = 0;
+  std::int32_t top = 0;
+  std::int32_t right = 0;
+  std::int32_t bottom = 0;
+  friend bool operator==(const PixelBox&, const PixelBox&) = default;
+};
+
 /// The connected components of an image, as runs: rows of a picture have far fewer runs than
 /// pixels, and all pixels of a run share everything that later stages ask for.
 struct Components {
@@ -34,6 +43,7 @@ struct Components {
   std::vector<PixelRun> runs;          ///< black and white runs, row by row, by x; none is unknown
   std::vector<std::size_t> row_begin;  ///< row y is runs[row_begin[y]] .. runs[row_begin[y + 1]]
   std::vector<std::uint32_t> size;     ///< pixels in each component
+  std::vector<PixelBox> box;           ///< smallest about each component
 
   std::size_t count() const { return size.size(); }
 };

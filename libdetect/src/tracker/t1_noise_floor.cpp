@@ -13,9 +13,9 @@ constexpr int kRows = 24;
 constexpr int kStretch = 32;
 /// The mean of |a - 2 b + c| is sqrt(6) sqrt(2 / pi) sigma for normal noise.
 constexpr double kMeanOfUnitNoise = 1.9544;
-/// The lower quartile of means over a stretch lies this share below their middle (measured on
-/// normal noise).
+/// Quantiles of the means over a stretch, as shares of their middle (measured on normal noise).
 constexpr double kQuartileShare = 0.93;
+constexpr double kTwentiethShare = 0.80;
 /// Sums over a stretch are counted in steps of this many gray levels.
 constexpr int kStep = 4;
 constexpr int kSteps = 512;
@@ -34,31 +34,54 @@ int sum_of_stretch(const std::uint8_t* pixels) {
   return least == 0 || most == 255 ? -1 : sum;
 }
 
-}  // namespace
+/// Sums over stretches of a picture, counted in steps.
+struct SumHistogram {
+  std::array<int, kSteps> stretches{};
+  int all = 0;
 
-double estimate_noise(ImageView image) {
-  std::array<int, kSteps> histogram{};
-  int stretches = 0;
+  /// Step below which at most `share` of the stretches lie.
+  int quantile(double share) const {
+    int below = 0;
+    for (int step = 0; step < kSteps - 1; ++step) {
+      below += stretches[static_cast<std::size_t>(step)];
+      if (below > share * all) return step;
+    }
+    return kSteps - 1;
+  }
+};
+
+SumHistogram count_sums(ImageView image) {
+  SumHistogram histogram;
   const int step = std::max(1, image.height / kRows);
   for (int y = step / 2; y < image.height; y += step) {
     const std::uint8_t* row = image.row(y);
     for (int x = 1; x + kStretch < image.width; x += 2 * kStretch) {
       const int sum = sum_of_stretch(row + x);
       if (sum < 0) continue;
-      ++histogram[static_cast<std::size_t>(std::min(sum / kStep, kSteps - 1))];
-      ++stretches;
+      ++histogram.stretches[static_cast<std::size_t>(std::min(sum / kStep, kSteps - 1))];
+      ++histogram.all;
     }
   }
-  if (stretches == 0) return 0;
-  int below = 0;
-  int quartile = 0;
-  for (; quartile < kSteps - 1; ++quartile) {
-    below += histogram[static_cast<std::size_t>(quartile)];
-    if (4 * below > stretches) break;
-  }
-  if (quartile == 0) return 0;
-  const double mean = (quartile + 0.5) * kStep / kStretch;
-  return mean / kMeanOfUnitNoise / kQuartileShare;
+  return histogram;
+}
+
+double noise_of_step(int step, double share_of_middle) {
+  if (step == 0) return 0;
+  return (step + 0.5) * kStep / kStretch / kMeanOfUnitNoise / share_of_middle;
+}
+
+}  // namespace
+
+double estimate_noise(ImageView image) {
+  const SumHistogram histogram = count_sums(image);
+  if (histogram.all == 0) return 0;
+  return noise_of_step(histogram.quantile(0.25), kQuartileShare);
+}
+
+double estimate_calm_noise(ImageView image) {
+  const SumHistogram histogram = count_sums(image);
+  if (histogram.all == 0) return 0;
+  return noise_of_step(histogram.quantile(0.05), kTwentiethShare);
 }
 
 int contrast_floor(double noise_sigma, int least, int most) {

@@ -18,6 +18,10 @@ namespace tagmint::detect {
 ///   cost     half the pixels of at most 24 rows
 double estimate_noise(ImageView image);
 
+/// The same from the calmest twentieth of the stretches: what texture covers does not count as
+/// noise as long as a twentieth of the picture is smooth.
+double estimate_calm_noise(ImageView image);
+
 /// The contrast that 3 x 3 tiles (144 pixels) need to be looked at: noise alone spreads over less
 /// than 7 sigma nearly everywhere.
 ///   least, most   bounds, gray levels
