@@ -63,6 +63,8 @@ TEST_F(BoardCommand, WritesTheBoardAndItsConfigs) {
   EXPECT_EQ(folder_.names(), (std::vector<std::string>{"b.pdf", "board.json", "target.yaml"}));
   EXPECT_EQ(read_file(file("b.pdf")).substr(0, 5), "%PDF-");
   EXPECT_EQ(read_file(file("target.yaml")),
+            "# tag36h11: edge 40 mm, outer 48 mm, ids 0-11\n"
+            "# 4 x 3 tags, ids from the bottom left, spacing 0.3 (gap 12 mm), border of 2 cells\n"
             "target_type: 'aprilgrid'\n"
             "tagCols: 4\n"
             "tagRows: 3\n"
@@ -87,6 +89,11 @@ TEST_F(BoardCommand, EachKindOfConfigByNameOrPrefix) {
   EXPECT_EQ(outcome.code, 0) << outcome.messages;
   EXPECT_NE(read_file(file("tags.yaml")).find("standalone_tags:"), std::string::npos);
   EXPECT_NE(read_file(file("any.txt")).find("ros__parameters:"), std::string::npos);
+  for (const char* name : {"tags.yaml", "any.txt"}) {
+    EXPECT_NE(read_file(file(name)).find("# tag36h11: edge 40 mm, outer 50 mm, ids 5-10\n"),
+              std::string::npos)
+        << name;
+  }
   EXPECT_NE(read_file(file("my-wpilib.json")).find("\"ID\": 5"), std::string::npos);
 }
 

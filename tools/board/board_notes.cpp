@@ -66,12 +66,23 @@ std::string format_ids(std::vector<codec::TagId> ids) {
   return text;
 }
 
-std::vector<std::string> board_notes(const Board& board) {
+std::vector<std::string> board_facts(const Board& board) {
   std::vector<std::string> lines;
   for (const Kind& kind : kinds_of(board)) lines.push_back(describe(kind));
   if (board.grid) lines.push_back(describe(*board.grid));
+  return lines;
+}
+
+std::vector<std::string> board_notes(const Board& board) {
+  std::vector<std::string> lines = board_facts(board);
   lines.emplace_back("print at 100 %, not fitted to the page");
   return lines;
+}
+
+std::string fact_comments(const Board& board) {
+  std::string text;
+  for (const std::string& line : board_facts(board)) text += "# " + line + "\n";
+  return text;
 }
 
 }  // namespace tagmint::board

@@ -174,9 +174,7 @@ void report(const Board& board, const board::BoardPage& page, const std::string&
   fmt::print(stderr, "{}: {} tag{} on a page of {} x {}\n", is_stdout(output) ? "stdout" : output,
              board.tags.size(), board.tags.size() == 1 ? "" : "s", draw::format_mm(page.width_mm),
              draw::format_mm(page.height_mm));
-  std::vector<std::string> lines = board::board_notes(board);
-  lines.pop_back();  // how to print
-  for (const std::string& line : lines) fmt::print(stderr, "  {}\n", line);
+  for (const std::string& line : board::board_facts(board)) fmt::print(stderr, "  {}\n", line);
   for (const ConfigTarget& config : configs) {
     fmt::print(stderr, "{}: {}\n", is_stdout(config.path) ? "stdout" : config.path,
                board::name_of(config.kind));

@@ -2,6 +2,7 @@
 // implied, and so is the frame.
 #include <fmt/format.h>
 
+#include "board/board_notes.h"
 #include "board/configs/board_config.h"
 #include "board/configs/config_numbers.h"
 #include "board/configs/kinds.h"
@@ -43,13 +44,14 @@ void require_kalibr(const Board& board) {
 std::string kalibr_yaml(const Board& board) {
   require_kalibr(board);
   const Grid& grid = *board.grid;
-  return fmt::format(
-      "target_type: 'aprilgrid'\n"
-      "tagCols: {}\n"
-      "tagRows: {}\n"
-      "tagSize: {}  # edge of a tag's black border, m\n"
-      "tagSpacing: {}  # gap between tags / tagSize\n",
-      grid.columns, grid.rows, metres(grid.edge_mm), decimal(grid.spacing()));
+  return fact_comments(board) + fmt::format(
+                                    "target_type: 'aprilgrid'\n"
+                                    "tagCols: {}\n"
+                                    "tagRows: {}\n"
+                                    "tagSize: {}  # edge of a tag's black border, m\n"
+                                    "tagSpacing: {}  # gap between tags / tagSize\n",
+                                    grid.columns, grid.rows, metres(grid.edge_mm),
+                                    decimal(grid.spacing()));
 }
 
 }  // namespace tagmint::board

@@ -2,6 +2,7 @@
 // up, z towards the viewer.
 #include <fmt/format.h>
 
+#include "board/board_notes.h"
 #include "board/configs/config_numbers.h"
 #include "board/configs/kinds.h"
 #include "board/configs/requirements.h"
@@ -22,7 +23,7 @@ std::string ros1_yaml(const Board& board) {
   require_one_plain_family(board, "apriltag_ros");
   std::string text = fmt::format("# for apriltag_ros (ROS 1); in settings.yaml: tag_family: '{}'\n",
                                  board.tags[0].family->name());
-  text += "standalone_tags:\n  [\n";
+  text += fact_comments(board) + "standalone_tags:\n  [\n";
   for (const BoardTag& tag : board.tags) {
     text += fmt::format("    {{id: {}, size: {}, name: 'tag_{}'}},\n", tag.id, metres(tag.edge_mm),
                         tag.id);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "board/board_notes.h"
 #include "board/configs/config_numbers.h"
 #include "board/configs/kinds.h"
 #include "board/configs/requirements.h"
@@ -24,6 +25,7 @@ std::string ros2_yaml(const Board& board) {
   }
   return fmt::format(
       "# parameters of apriltag_ros (ROS 2)\n"
+      "{}"
       "/**:\n"
       "  ros__parameters:\n"
       "    family: '{}'\n"
@@ -33,7 +35,7 @@ std::string ros2_yaml(const Board& board) {
       "      ids: [{}]\n"
       "      frames: [{}]\n"
       "      sizes: [{}]\n",
-      family.name().substr(std::string_view("tag").size()), sizes[0],
+      fact_comments(board), family.name().substr(std::string_view("tag").size()), sizes[0],
       std::min(2, family.max_safe_errors()), fmt::join(ids, ", "), fmt::join(frames, ", "),
       fmt::join(sizes, ", "));
 }
