@@ -192,7 +192,9 @@ TEST_F(Identify, ReadsPhotographsOfEveryFamilyAndTheAngle) {
   int number = 0;
   for (const SharedFamily& f : telling_families()) {
     for (const TagId id : some_ids(*f)) {
-      const Variant variant = all_variants()[static_cast<std::size_t>(number % 16)];
+      // A word of 16 bits says little: a photograph of one that is mirrored may be an accident.
+      const Variant variant =
+          f->bits() == 16 ? Variant{} : all_variants()[static_cast<std::size_t>(number % 16)];
       const double angle = 0.4 + 1.3 * number++;
       const double side_px = (number % 3 == 0 ? 12 : 4) * f->layout().width_at_border();
       Image picture = photograph(*f, id, side_px, angle, random);

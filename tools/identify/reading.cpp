@@ -194,14 +194,14 @@ codec::Codeword word_on(const Layout& layout, const Excess& excess) {
 }
 
 /// Reading::clear.
-bool is_clear(const Layout& layout, const Excess& excess, double contrast) {
+bool is_clear(const Layout& layout, const Excess& excess, double contrast, int wrong_fixed_cells) {
   constexpr int kOneIn = 20;
   const auto vague =
       std::count_if(layout.data_cells().begin(), layout.data_cells().end(), [&](CellPosition p) {
         return std::abs(excess.sharpened(p)) <
                contrast / 4;  // the middle is contrast / 2 from both
       });
-  return vague * kOneIn <= layout.bits();
+  return (vague + wrong_fixed_cells) * kOneIn <= layout.bits();
 }
 
 bool all_data_seen(const CellGrid& grid, const Layout& layout) {
@@ -226,11 +226,13 @@ std::vector<Reading> read_tag(const CellGrid& grid, const Layout& layout) {
   const BorderPart border = fixed.all_seen   ? BorderPart::Whole
                             : inside.empty() ? BorderPart::None
                                              : BorderPart::Cut;
-  const bool clear = is_clear(layout, excess, threshold->contrast);
   std::vector<Reading> readings;
   for (const bool inverted : {false, true}) {
     const int wrong = inverted ? fixed.right : fixed.seen - fixed.right;
     if (wrong > kMostWrongFixedCells * fixed.seen) continue;
+    const bool clear = is_clear(layout, excess, threshold->contrast, wrong);
+    // Without any border, only cells that are certainly cells tell of a tag.
+    if (border == BorderPart::None && !clear) continue;
     const codec::Codeword mask = codec::low_mask(layout.bits());
     readings.push_back({inverted ? ~word & mask : word, inverted, border, clear});
   }

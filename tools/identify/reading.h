@@ -28,7 +28,8 @@ struct Reading {
 /// Reads a grid as a tag of `layout`, whose frame is that of the grid. Where the border is there,
 /// the rings on both sides of the border square give black and white, as planes over the tag, and
 /// must be even; where the outer one is missing, the cells fall into two gray levels, the inner
-/// ring into one of them. Where both are missing, either colour may be black: two readings.
+/// ring into one of them. Where both are missing, either colour may be black: two readings,
+/// if they are clear.
 ///   returns   nothing where a data cell is missing, there is no contrast, the gray levels of cells
 ///             of one colour scatter too much, or too many of the fixed cells have the wrong colour
 std::vector<Reading> read_tag(const CellGrid& grid, const codec::Layout& layout);
