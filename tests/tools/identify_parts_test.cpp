@@ -188,6 +188,20 @@ TEST(IsPlain, EvenAndHalvedSurfacesArePlainBundledTagsAreNot) {
   }
 }
 
+TEST(IsDeclaredPlain, AreTheLastTagsThatALevelAdds) {
+  const SharedFamily f = codec::find_family("rot36");
+  const auto levels = f->levels();
+  ASSERT_GT(levels.back().plain, 0u);
+  const std::size_t first_plain = levels.back().codes - levels.back().plain;
+  const auto plain = [&](std::size_t id) {
+    return identify::is_declared_plain(*f, static_cast<codec::TagId>(id));
+  };
+  EXPECT_FALSE(plain(first_plain - 1));
+  EXPECT_TRUE(plain(first_plain));
+  EXPECT_TRUE(plain(f->size() - 1));
+  EXPECT_FALSE(identify::is_declared_plain(*codec::find_family("tag36h11"), 586));
+}
+
 TEST(FindCellGrids, FindsEachTagOfAMosaicAtItsPixel) {
   const SharedFamily f = codec::find_family("tag36h11");
   Image mosaic(23, 12, 255);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <span>
 
 #include "tagmint/codec/family_stats.h"
 #include "tagmint/codec/tag_cells.h"
@@ -34,6 +35,13 @@ bool is_plain(const codec::Layout& layout, codec::Codeword word) {
     }
   }
   return different * kOneIn < neighbours;
+}
+
+bool is_declared_plain(const codec::Family& family, codec::TagId id) {
+  const std::span<const codec::Level> levels = family.levels();
+  const auto level = std::find_if(levels.begin(), levels.end(),
+                                  [&](const codec::Level& l) { return id < l.codes; });
+  return id >= level->codes - level->plain;  // the last ones that the level adds
 }
 
 void Evidence::count(const codec::Family& family, const Doubt& doubt) {

@@ -21,6 +21,9 @@ int nearest_miss_radius(const codec::Family& family);
 /// it.
 bool is_plain(const codec::Layout& layout, codec::Codeword word);
 
+/// Whether the family declares the tag as one that fails its complexity rule (codec::Level::plain).
+bool is_declared_plain(const codec::Family& family, codec::TagId id);
+
 /// How much there is to say against a reading, whatever its word is near to.
 struct Doubt {
   bool unclear = false;  ///< not Reading::clear

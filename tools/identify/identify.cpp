@@ -106,6 +106,12 @@ bool is_believed(const Candidate& candidate) {
          (candidate.doubt.unclear ? kMostAccidentsUnclear : kMostAccidents);
 }
 
+/// Whether a match may be believed at all: with no more errors than the family always corrects;
+/// plain tags, which texture comes near to, without any.
+bool is_possible(const codec::Family& family, const codec::Match& match) {
+  return match.hamming <= (is_declared_plain(family, match.id) ? 0 : family.max_safe_errors());
+}
+
 double side_of(const Corners& corners) { return std::sqrt(std::abs(detect::signed_area(corners))); }
 
 Point middle_of(const Corners& corners) {
@@ -230,7 +236,7 @@ void Search::take_reading(const View& view, const Homography& tag_to_image,
       }
       candidate.turned_deg = turned_deg(candidate.corners);
       if (!nearest_ || more_convincing(candidate, *nearest_)) nearest_ = candidate;
-      if (match.hamming <= family->max_safe_errors()) candidates_.push_back(std::move(candidate));
+      if (is_possible(*family, match)) candidates_.push_back(std::move(candidate));
     }
   }
 }
@@ -255,26 +261,29 @@ std::vector<std::vector<Candidate>> Search::by_place() const {
   return places;
 }
 
-/// Places whose best candidates are about equally convincing share the accidents that are to be
-/// expected, as in the rate of false discoveries [BenjaminiHochberg1995]; much more convincing ones
-/// lend nothing to a weak one beside them. A further candidate of a place that is explained already
-/// must convince by itself, or be the same tag under another name.
+/// Different tags, the best candidates of their places, that are about equally convincing share the
+/// accidents that are to be expected, as in the rate of false discoveries [BenjaminiHochberg1995];
+/// much more convincing ones lend nothing to a weak one beside them. A further candidate of a place
+/// that is explained already must convince by itself, or be the same tag under another name.
 std::vector<TagInPicture> Search::believed() const {
   constexpr double kAboutEqual = 100;  // tags of one family with a bit error more or less
   std::vector<TagInPicture> tags;
   const std::vector<std::vector<Candidate>> places = by_place();  // by their best candidates
   for (std::size_t i = 0; i < places.size(); ++i) {
     const double rate = places[i].front().accept_rate;
-    const auto as_good = std::count_if(places.begin(), places.end(), [&](const auto& place) {
-      const double other = place.front().accept_rate;
-      return other <= rate && other >= rate / kAboutEqual;
-    });
+    std::set<std::pair<const codec::Family*, codec::TagId>> as_good;
+    for (const auto& place : places) {
+      const Candidate& best = place.front();
+      if (best.accept_rate > rate || best.accept_rate < rate / kAboutEqual) continue;
+      as_good.emplace(best.family.get(), best.id);
+    }
     TagInPicture tag;
     for (Candidate candidate : places[i]) {
       const double expected = evidence_.expected_accidents(candidate.accept_rate, candidate.doubt);
       const bool shares =
           tag.empty() ? candidate.accept_rate == rate : same_cells(tag.front(), candidate);
-      candidate.expected_accidents = shares ? expected / static_cast<double>(as_good) : expected;
+      candidate.expected_accidents =
+          shares ? expected / static_cast<double>(as_good.size()) : expected;
       if (is_believed(candidate)) tag.push_back(std::move(candidate));
     }
     if (!tag.empty()) tags.push_back(std::move(tag));
