@@ -101,9 +101,10 @@ bool more_convincing(const Candidate& a, const Candidate& b) {
   return key(a) < key(b);
 }
 
-bool is_believed(const Candidate& candidate) {
-  return candidate.expected_accidents <=
-         (candidate.doubt.unclear ? kMostAccidentsUnclear : kMostAccidents);
+/// `has_rival`: a better candidate explains the same place otherwise.
+bool is_believed(const Candidate& candidate, bool has_rival) {
+  const bool doubtful = candidate.doubt.unclear || has_rival;
+  return candidate.expected_accidents <= (doubtful ? kMostAccidentsDoubtful : kMostAccidents);
 }
 
 /// Whether a match may be believed at all: with no more errors than the family always corrects;
@@ -280,11 +281,12 @@ std::vector<TagInPicture> Search::believed() const {
     TagInPicture tag;
     for (Candidate candidate : places[i]) {
       const double expected = evidence_.expected_accidents(candidate.accept_rate, candidate.doubt);
-      const bool shares =
-          tag.empty() ? candidate.accept_rate == rate : same_cells(tag.front(), candidate);
+      const bool same = !tag.empty() && same_cells(tag.front(), candidate);
+      const bool shares = same || (tag.empty() && candidate.accept_rate == rate);
       candidate.expected_accidents =
           shares ? expected / static_cast<double>(as_good.size()) : expected;
-      if (is_believed(candidate)) tag.push_back(std::move(candidate));
+      const bool has_rival = !tag.empty() && !same;
+      if (is_believed(candidate, has_rival)) tag.push_back(std::move(candidate));
     }
     if (!tag.empty()) tags.push_back(std::move(tag));
   }

@@ -32,9 +32,10 @@ struct Candidate {
 };
 
 /// Most expected accidents of a candidate that is believed: of a clear one, which only weak
-/// families (tag16h5, rot16h5) come near to, and of one whose cells are in doubt.
+/// families (tag16h5, rot16h5) come near to, and of one whose cells are in doubt or whose place a
+/// better one explains already.
 inline constexpr double kMostAccidents = 0.15;
-inline constexpr double kMostAccidentsUnclear = 0.03;
+inline constexpr double kMostAccidentsDoubtful = 0.03;
 
 /// One tag of the picture: what it may be, the most convincing first; at least one.
 using TagInPicture = std::vector<Candidate>;
