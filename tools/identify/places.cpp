@@ -175,12 +175,22 @@ bool nearly_square(const Part& part) {
   return std::abs(part.width - part.height) * 20 <= std::max(part.width, part.height);
 }
 
+/// Every border that has the shape of one; what is in it, and where exactly, is not asked for here.
+detect::DetectorOptions square_options(int threads) {
+  detect::DetectorOptions options;
+  options.algorithm = detect::Algorithm::Paper;
+  options.read_harder = false;
+  options.refine_photometric = false;
+  options.threads = threads;
+  return options;
+}
+
 }  // namespace
 
 struct SquareFinder::Impl {
   explicit Impl(int threads)
       : detector({border_of(codec::classic_layout(12)), border_of(codec::standard_layout(9))},
-                 {.threads = threads}) {}
+                 square_options(threads)) {}
 
   detect::Detector detector;
 };
