@@ -1,4 +1,5 @@
 // docs/examples/detect.cpp: several families in many pictures, a detector for each thread.
+#include <cmath>
 #include <iostream>
 #include <memory>
 #include <thread>
@@ -51,8 +52,8 @@ int main() {
 
   for (const auto& tags : found) {
     for (const detect::Detection& tag : tags) {
-      std::cout << tag.family->name() << ' ' << tag.id << " at " << tag.center.x << ", "
-                << tag.center.y << '\n';
+      std::cout << tag.family->name() << ' ' << tag.id << " at " << std::lround(tag.center.x)
+                << ", " << std::lround(tag.center.y) << '\n';
     }
   }
 }
