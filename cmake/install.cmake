@@ -2,7 +2,7 @@
 include(CMakePackageConfigHelpers)
 
 set(tagmint_cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/tagmint)
-install(TARGETS tagmint_codec tagmint_detect EXPORT tagmintTargets FILE_SET HEADERS)
+install(TARGETS tagmint_codec tagmint_detect tagmint_c EXPORT tagmintTargets FILE_SET HEADERS)
 install(EXPORT tagmintTargets NAMESPACE tagmint:: DESTINATION ${tagmint_cmake_dir})
 configure_package_config_file(cmake/tagmintConfig.cmake.in
   ${PROJECT_BINARY_DIR}/tagmintConfig.cmake INSTALL_DESTINATION ${tagmint_cmake_dir})

@@ -11,6 +11,7 @@
 #include "cli/cmd_encode.h"
 #include "cli/cmd_families.h"
 #include "cli/cmd_generate.h"
+#include "cli/cmd_identify.h"
 #include "cli/cmd_info.h"
 #include "cli/cmd_poster.h"
 #include "cli/cmd_render.h"
@@ -35,6 +36,7 @@ std::span<const Command> command_table() {
       poster_command(),
       render_command(),
       detect_command(),
+      identify_command(),
   };
   // clang-format on
   return table;
