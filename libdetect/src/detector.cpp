@@ -27,6 +27,19 @@ QuadKinds kinds_of(const Decoders& decoders, const DetectorOptions& options) {
   return kinds;
 }
 
+void check_image(ImageView image) {
+  if (image.empty()) return;
+  if (image.data == nullptr) {
+    throw std::invalid_argument(fmt::format("an image of {} x {} pixels without data cannot be",
+                                            image.width, image.height));
+  }
+  if (image.width > Detector::kMaxSide_px || image.height > Detector::kMaxSide_px) {
+    throw std::invalid_argument(
+        fmt::format("an image of {} x {} pixels is too large; its sides may be at most {} pixels",
+                    image.width, image.height, Detector::kMaxSide_px));
+  }
+}
+
 }  // namespace
 
 /// One of the two paths finds the quads; what follows is the same for both.
@@ -36,7 +49,6 @@ struct Detector::Impl {
   std::variant<PaperPath, TrackerPath> path;
   QuadDecoding decoding;
   TagRefinement refinement;
-  std::vector<Detection> candidates;
 
   Impl(Decoders decoders, const DetectorOptions& o)
       : options(o),
@@ -49,21 +61,20 @@ struct Detector::Impl {
     }
   }
 
-  std::vector<Detection> detect(ImageView full, DetectStats& stats, DebugSink* debug) {
+  void detect(ImageView full, std::vector<Detection>& detections, DetectStats& stats,
+              DebugSink* debug) {
     const std::span<const Quad> quads = std::visit(
         [&](auto& finder) { return finder.find_quads(full, share, stats, debug); }, path);
-    decoding.decode(full, quads, share, stats, candidates);
-    std::vector<Detection> detections;
+    decoding.decode(full, quads, share, stats, detections);
     {
       const StageTimer timer(stats, Stage::Reconcile);
-      detections = reconcile(std::move(candidates), stats);
+      reconcile(detections, stats);
     }
     if (options.refine_photometric) {
       refinement.refine(full, detections, share, stats);
       sort_detections(detections);
     }
     if (debug) debug->detections(detections);
-    return detections;
   }
 };
 
@@ -83,15 +94,18 @@ Detector::Detector(Detector&&) noexcept = default;
 Detector& Detector::operator=(Detector&&) noexcept = default;
 
 std::vector<Detection> Detector::detect(ImageView image, DetectStats* stats, DebugSink* debug) {
-  if (!image.empty() && image.data == nullptr) {
-    throw std::invalid_argument(fmt::format("an image of {} x {} pixels without data cannot be",
-                                            image.width, image.height));
-  }
-  DetectStats counted;
   std::vector<Detection> detections;
-  if (!image.empty()) detections = impl_->detect(image, counted, debug);
-  if (stats) *stats = counted;
+  detect(image, detections, stats, debug);
   return detections;
+}
+
+void Detector::detect(ImageView image, std::vector<Detection>& detections, DetectStats* stats,
+                      DebugSink* debug) {
+  check_image(image);
+  DetectStats counted;
+  detections.clear();
+  if (!image.empty()) impl_->detect(image, detections, counted, debug);
+  if (stats) *stats = counted;
 }
 
 const DetectorOptions& Detector::options() const { return impl_->options; }

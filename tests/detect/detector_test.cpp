@@ -324,7 +324,7 @@ TEST(Detector, DebuggingDoesNotChangeWhatThePapersPathFinds) {
 TEST(Detector, TheDebugSinkTakesEachPictureOnceInOrder) {
   const Scene scene = grid_of({classic()}, 2, 1, 40);
   Recorder recorder;
-  Detector detector({decoder_of(classic())}, {.decimate = 2});
+  Detector detector({decoder_of(classic())}, {.decimate = 2, .refine_photometric = false});
   const auto found = detector.detect(scene.image, nullptr, &recorder);
   EXPECT_EQ(recorder.calls, "ptcqrd");
   EXPECT_EQ(recorder.refined.size(), recorder.quads_seen);

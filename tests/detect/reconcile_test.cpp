@@ -34,7 +34,8 @@ Detection at(Point centre, codec::TagId id, double side = 20, int hamming = 0, d
 std::vector<Detection> reconciled(std::vector<Detection> candidates) {
   DetectStats stats;
   const std::size_t given = candidates.size();
-  std::vector<Detection> kept = reconcile(std::move(candidates), stats);
+  std::vector<Detection> kept = std::move(candidates);
+  reconcile(kept, stats);
   EXPECT_EQ(stats.detections, static_cast<std::int64_t>(kept.size()));
   EXPECT_EQ(stats.duplicates, static_cast<std::int64_t>(given - kept.size()));
   return kept;

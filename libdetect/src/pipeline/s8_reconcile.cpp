@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -49,12 +49,17 @@ bool output_order(const Detection& a, const Detection& b) {
   return place(a) < place(b);
 }
 
-/// The same corners from the same one on, whichever way up the tag was read.
-Corners from_first_corner(Corners corners) {
+/// The quad that was read, from the same corner on whichever way up the tag was read.
+std::array<double, 8> quad_of(const Detection& d) {
   const auto before = [](Point a, Point b) { return std::tie(a.y, a.x) < std::tie(b.y, b.x); };
-  std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end(), before),
-              corners.end());
-  return corners;
+  const auto first = static_cast<std::size_t>(
+      std::min_element(d.corners.begin(), d.corners.end(), before) - d.corners.begin());
+  std::array<double, 8> quad;
+  for (std::size_t i = 0; i < 4; ++i) {
+    quad[2 * i] = d.corners[(first + i) % 4].x;
+    quad[2 * i + 1] = d.corners[(first + i) % 4].y;
+  }
+  return quad;
 }
 
 /// How likely the reading is an accident.
@@ -70,22 +75,37 @@ bool more_credible(const Detection& a, const Detection& b) {
 }
 
 /// One border square is one tag: of its readings in several families the most credible stays.
-std::vector<Detection> one_of_each_quad(std::vector<Detection> candidates) {
-  std::map<std::array<double, 8>, std::size_t> place_in_kept;
-  std::vector<Detection> kept;
-  kept.reserve(candidates.size());
-  for (Detection& candidate : candidates) {
-    const Corners c = from_first_corner(candidate.corners);
-    const std::array<double, 8> quad = {c[0].x, c[0].y, c[1].x, c[1].y,
-                                        c[2].x, c[2].y, c[3].x, c[3].y};
-    const auto [known, is_new] = place_in_kept.emplace(quad, kept.size());
-    if (is_new) {
-      kept.push_back(std::move(candidate));
-    } else if (Detection& rival = kept[known->second]; more_credible(candidate, rival)) {
-      rival = std::move(candidate);
+void keep_one_of_each_quad(std::vector<Detection>& candidates) {
+  const auto same_family = [&](const Detection& d) {
+    return d.family == candidates.front().family;
+  };
+  // A family reads a quad once.
+  if (std::all_of(candidates.begin(), candidates.end(), same_family)) return;
+  std::sort(candidates.begin(), candidates.end(), [](const Detection& a, const Detection& b) {
+    const auto quad_a = quad_of(a), quad_b = quad_of(b);
+    return quad_a != quad_b ? quad_a < quad_b : more_credible(a, b);
+  });
+  candidates.erase(
+      std::unique(candidates.begin(), candidates.end(),
+                  [](const Detection& a, const Detection& b) { return quad_of(a) == quad_of(b); }),
+      candidates.end());
+}
+
+/// Of overlapping detections of one tag the best stays; they come tags together, the best first.
+void keep_one_of_each_place(std::vector<Detection>& candidates) {
+  std::size_t kept = 0;
+  std::size_t group = 0;  // where the kept detections of the current tag begin
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    if (kept > 0 && !same_tag(candidates[kept - 1], candidates[i])) group = kept;
+    const auto kept_of_tag = std::span(candidates).subspan(group, kept - group);
+    if (std::any_of(kept_of_tag.begin(), kept_of_tag.end(),
+                    [&](const Detection& better) { return overlap(better, candidates[i]); })) {
+      continue;
     }
+    if (kept != i) candidates[kept] = std::move(candidates[i]);
+    ++kept;
   }
-  return kept;
+  candidates.erase(candidates.begin() + static_cast<std::ptrdiff_t>(kept), candidates.end());
 }
 
 }  // namespace
@@ -94,28 +114,14 @@ void sort_detections(std::vector<Detection>& detections) {
   std::sort(detections.begin(), detections.end(), output_order);
 }
 
-std::vector<Detection> reconcile(std::vector<Detection> candidates, DetectStats& stats) {
-  const std::size_t read = candidates.size();
-  candidates = one_of_each_quad(std::move(candidates));
-  stats.duplicates += static_cast<std::int64_t>(read - candidates.size());
-  std::sort(candidates.begin(), candidates.end(), better_first);
-  std::vector<Detection> kept;
-  kept.reserve(candidates.size());
-  std::size_t group = 0;  // where the kept detections of the current tag begin
-  for (Detection& candidate : candidates) {
-    if (!kept.empty() && !same_tag(kept.back(), candidate)) group = kept.size();
-    const bool duplicate =
-        std::any_of(kept.begin() + static_cast<std::ptrdiff_t>(group), kept.end(),
-                    [&](const Detection& better) { return overlap(better, candidate); });
-    if (duplicate) {
-      ++stats.duplicates;
-    } else {
-      kept.push_back(std::move(candidate));
-    }
-  }
-  sort_detections(kept);
-  stats.detections += static_cast<std::int64_t>(kept.size());
-  return kept;
+void reconcile(std::vector<Detection>& detections, DetectStats& stats) {
+  const std::size_t read = detections.size();
+  keep_one_of_each_quad(detections);
+  std::sort(detections.begin(), detections.end(), better_first);
+  keep_one_of_each_place(detections);
+  sort_detections(detections);
+  stats.duplicates += static_cast<std::int64_t>(read - detections.size());
+  stats.detections += static_cast<std::int64_t>(detections.size());
 }
 
 }  // namespace tagmint::detect

@@ -13,11 +13,11 @@ namespace tagmint::detect {
 /// overlap, the one with fewer corrected errors stays, then the one with the larger decision
 /// margin, then the one whose centre and corners come first. Nested or neighbouring tags of other
 /// ids all stay.
-///   candidates   in any order
-///   returns      sorted by family name, id, then centre (y, x)
+///   detections   candidates in any order; become what stays, sorted by family name, id, then
+///                centre (y, x). At most one candidate of each family and quad
 ///   stats        duplicates and detections are added to
-///   cost         O(n log n), and a comparison for each pair of the same family and id
-std::vector<Detection> reconcile(std::vector<Detection> candidates, DetectStats& stats);
+///   cost         O(n log n), and a comparison for each pair of the same family and id; no memory
+void reconcile(std::vector<Detection>& detections, DetectStats& stats);
 
 /// Sorts by family name, id, then centre (y, x): once more where corners have changed since.
 void sort_detections(std::vector<Detection>& detections);
