@@ -10,7 +10,6 @@
 #include "kernels/edge_kernels.h"
 #include "kernels/halve_kernels.h"
 #include "kernels/outline_kernels.h"
-#include "kernels/project_kernels.h"
 #include "kernels/start_kernels.h"
 #include "kernels/tile_kernels.h"
 #include "support/fixed_random.h"
@@ -191,30 +190,6 @@ TEST(OutlineKernels, FarthestPointsAreThoseOfThePlainLoop) {
         fewer.size = std::max(1, count - 3);
         ASSERT_EQ(all_near_line(fewer, px, py, ex, ey, most),
                   scalar::all_near_line(fewer, px, py, ex, ey, most));
-      }
-    }
-  });
-}
-
-TEST(ProjectKernels, PlacesAreThoseOfThePlainLoop) {
-  with_every_instruction_set([] {
-    FixedRandom random(5);
-    const ProjectiveFloats map = {3.1f, -0.7f, -12.5f, 0.4f, 2.9f, -9.25f, 0.01f, -0.006f, 1.0f};
-    for (int count = 1; count < 40; ++count) {
-      std::vector<float> u(static_cast<std::size_t>(count) + kProjectPadding, 1.0f);
-      for (float& value : u) value = static_cast<float>(random.real(0, 10));
-      std::vector<std::vector<std::int32_t>> whole(4, std::vector<std::int32_t>(u.size()));
-      std::vector<std::vector<float>> parts(4, std::vector<float>(u.size()));
-      const auto v = static_cast<float>(random.real(0, 10));
-      project_row(map, u.data(), v, count,
-                  {whole[0].data(), whole[1].data(), parts[0].data(), parts[1].data()});
-      scalar::project_row(map, u.data(), v, count,
-                          {whole[2].data(), whole[3].data(), parts[2].data(), parts[3].data()});
-      for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-        for (const std::size_t k : {0, 1}) {
-          ASSERT_EQ(whole[k][i], whole[k + 2][i]) << count << " " << i;
-          ASSERT_EQ(parts[k][i], parts[k + 2][i]) << count << " " << i;
-        }
       }
     }
   });

@@ -22,6 +22,22 @@ constexpr int kMaxSamplesPerSide = 3;
 /// spread over this middle part of the cell, away from its blurred edges.
 constexpr double kCellMiddle = 0.5;
 
+/// Whether the whole tag, from -extent to extent in its plane, is in the image, a pixel from its
+/// edges; then so is every place in it.
+bool is_inside(ImageView image, const Homography& tag_to_image, double extent) {
+  for (const Point corner : kTagCorners) {
+    const Point p = extent * corner;
+    if (!(tag_to_image(2, 0) * p.x + tag_to_image(2, 1) * p.y + tag_to_image(2, 2) > 0)) {
+      return false;
+    }
+    const Point at = tag_to_image.project(p);
+    if (!(at.x >= 1 && at.y >= 1 && at.x < image.width - 1 && at.y < image.height - 1)) {
+      return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 void CellGrid::list_rings() {
@@ -52,18 +68,30 @@ void CellGrid::read_cell(int index) {
   const double scale = kCellMiddle * cell_ / samples_ * w;
   const Point along_x{(h[0] - at.x * h[6]) * scale, (h[3] - at.y * h[6]) * scale};
   const Point along_y{(h[1] - at.x * h[7]) * scale, (h[4] - at.y * h[7]) * scale};
+  const std::optional<double> mean = mean_gray(at, along_x, along_y);
+  if (!mean) return;
+  gray_[index] = static_cast<float>(*mean);
+  read_[index] = 1;
+}
+
+/// Mean of samples_ x samples_ values around `at`, along_x and along_y apart; nothing where one is
+/// outside the image. A single value is taken between the four nearest pixels; of several, each is
+/// the pixel that it falls into, since their mean evens that out.
+std::optional<double> CellGrid::mean_gray(Point at, Point along_x, Point along_y) const {
+  if (samples_ == 1) return inside_ ? sample_inside(full_, at) : sample_bilinear(full_, at);
   const double first = (1 - samples_) / 2.0;
-  double sum = 0;
-  for (int j = 0; j < samples_; ++j) {
-    for (int i = 0; i < samples_; ++i) {
-      const std::optional<double> value =
-          sample_bilinear(full_, at + (first + i) * along_x + (first + j) * along_y);
-      if (!value) return;
-      sum += *value;
+  Point row = at + first * along_x + first * along_y;
+  int sum = 0;
+  for (int j = 0; j < samples_; ++j, row = row + along_y) {
+    Point p = row;
+    for (int i = 0; i < samples_; ++i, p = p + along_x) {
+      if (!inside_ && !contains(full_, p)) return std::nullopt;
+      const int x = std::min(static_cast<int>(p.x), full_.width - 1);
+      const int y = std::min(static_cast<int>(p.y), full_.height - 1);
+      sum += full_.at(x, y);
     }
   }
-  gray_[index] = static_cast<float>(sum / (samples_ * samples_));
-  read_[index] = 1;
+  return static_cast<double>(sum) / (samples_ * samples_);
 }
 
 /// Nothing when too little of the ring is in the image.
@@ -95,6 +123,7 @@ BorderOutcome CellGrid::read(ImageView full, const Homography& tag_to_image, dou
   }
   cell_ = 2.0 / geometry.width_at_border();
   origin_ = -1.0 - geometry.border_offset * cell_;
+  inside_ = is_inside(full, tag_to_image, -origin_);
   const double cell_px = side_px / geometry.width_at_border();
   samples_ = std::clamp(static_cast<int>(cell_px / kPixelsPerSample), 1, kMaxSamplesPerSide);
   const auto cells = static_cast<std::size_t>(geometry.width) * geometry.width;

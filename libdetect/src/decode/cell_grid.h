@@ -70,6 +70,7 @@ class CellGrid {
 
   void list_rings();
   void read_cell(int index);
+  std::optional<double> mean_gray(Point at, Point along_x, Point along_y) const;
   std::optional<Ring> read_ring(int which);
   Point centre(int index) const {
     return {origin_ + (index % geometry_.width + 0.5) * cell_,
@@ -80,6 +81,7 @@ class CellGrid {
   std::array<double, 9> map_{};
   GridGeometry geometry_;
   bool reversed_ = false;
+  bool inside_ = false;  // all cells are in the image
   BorderOutcome outcome_ = BorderOutcome::OutsideImage;
   double cell_ = 0;    // side of a cell in the tag plane
   double origin_ = 0;  // left and top edge of the whole tag in the tag plane
