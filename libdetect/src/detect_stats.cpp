@@ -47,6 +47,7 @@ DetectStats& DetectStats::operator+=(const DetectStats& other) {
   starts_not_convex += other.starts_not_convex;
   shapes += other.shapes;
   shapes_too_small += other.shapes_too_small;
+  quads_known += other.quads_known;
   no_corners += other.no_corners;
   bad_fit += other.bad_fit;
   bad_shape += other.bad_shape;

@@ -12,12 +12,15 @@ namespace {
 
 /// Above this floor, gray levels, noise hides in single pixels whatever a tag is printed with.
 constexpr int kMostFloor = 200;
-/// Above this one tags are looked for in the half-size picture whatever their contrast: bits of
-/// single pixels are too often wrong.
+/// Above this one bits of single pixels are too often wrong: the half-size picture has the ordinary
+/// threshold for all contrasts then.
 constexpr int kTrustedFloor = 90;
 /// How much the contrast of noise alone, over the pixels of 3 x 3 tiles, adds to that of a tag:
 /// about 5 standard deviations; half of that in the half-size picture.
 constexpr double kHalfNoiseSpread = 2.5;
+
+/// Tiles with less contrast hold no edge of a shadow across a tag in good light.
+constexpr double kLeastShadowContrast = 50;
 
 std::uint8_t gray_level(double value) {
   return static_cast<std::uint8_t>(std::clamp(std::lround(value), 0L, 255L));
@@ -42,12 +45,14 @@ ImageView TrackerPath::halved(ImageView image, WorkShare&, DetectStats& stats) {
 }
 
 /// Adds the quads of a picture whose pixels are `scale` full ones wide.
-void TrackerPath::search_at(ImageView image, double scale, ContrastBand contrast,
-                            QuadSearch& search, WorkShare& share, DetectStats& stats,
-                            DebugSink* debug) {
+void TrackerPath::search_at(ImageView image, double scale, ContrastRule contrast,
+                            QuadSearch& search, const KnownQuads* known, WorkShare& share,
+                            DetectStats& stats, DebugSink* debug) {
   const std::size_t before = quads_.size();
   search.run(image, contrast,
-             {.min_side_px = options_.min_side_px / scale, .fit_edges = options_.refine_edges},
+             {.min_side_px = options_.min_side_px / scale,
+              .fit_edges = options_.refine_edges,
+              .known = known},
              share, stats, debug, quads_);
   for (std::size_t i = before; i < quads_.size(); ++i) {
     for (Point& corner : quads_[i].corners) corner = scale * corner;
@@ -70,14 +75,19 @@ std::span<const Quad> TrackerPath::find_quads(ImageView full, WorkShare& share, 
   quads_.clear();
   const int floor = contrast_floor(noise, options_.min_contrast, 255);
   if (floor <= kMostFloor) {
-    search_at(working, options_.decimate, {gray_level(floor), 255}, whole_search_, share, stats,
-              debug);
+    search_at(working, options_.decimate, {gray_level(floor), 255}, whole_search_, nullptr, share,
+              stats, debug);
   }
   const int half_floor = contrast_floor(noise / 2, options_.min_contrast, 255);
-  if (half_floor < floor && half_floor <= kMostFloor) {
-    const double ceiling = floor <= kTrustedFloor ? floor + kHalfNoiseSpread * noise : 255;
-    search_at(halved(working, share, stats), 2 * options_.decimate,
-              {gray_level(half_floor), gray_level(ceiling)}, half_search_, share, stats, nullptr);
+  if (half_floor <= kMostFloor && working.width >= 2 && working.height >= 2) {
+    const double scale = 2 * options_.decimate;
+    known_.assign(quads_, scale);
+    const double middle_up_to =
+        floor <= kTrustedFloor ? std::max(kLeastShadowContrast, floor + kHalfNoiseSpread * noise)
+                               : 255;
+    search_at(halved(working, share, stats), scale,
+              {gray_level(half_floor), gray_level(middle_up_to)}, half_search_, &known_, share,
+              stats, nullptr);
   }
   stats.quads += static_cast<std::int64_t>(quads_.size());
   if (debug) debug->quads(corners_of(quads_));

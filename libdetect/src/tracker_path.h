@@ -35,8 +35,8 @@ class TrackerPath {
                                    DebugSink* debug);
 
  private:
-  void search_at(ImageView image, double scale, ContrastBand contrast, QuadSearch& search,
-                 WorkShare& share, DetectStats& stats, DebugSink* debug);
+  void search_at(ImageView image, double scale, ContrastRule contrast, QuadSearch& search,
+                 const KnownQuads* known, WorkShare& share, DetectStats& stats, DebugSink* debug);
   ImageView halved(ImageView image, WorkShare& share, DetectStats& stats);
 
   DetectorOptions options_;
@@ -46,6 +46,7 @@ class TrackerPath {
   Image halved_;
   QuadSearch whole_search_;
   QuadSearch half_search_;
+  KnownQuads known_;
   std::vector<Quad> quads_;
 };
 

@@ -91,7 +91,7 @@ TEST(TileKernels, BitsAreThoseOfThePlainLoop) {
   with_every_instruction_set([] {
     FixedRandom random(2);
     for (const int width : kWidths) {
-      for (const ContrastBand band : {ContrastBand{5, 255}, {0, 255}, {30, 90}, {200, 255}}) {
+      for (const ContrastRule rule : {ContrastRule{5, 255}, {0, 255}, {30, 90}, {200, 0}}) {
         const FourRows pixels(width, random);
         std::vector<Extrema> tiles(3, Extrema(width));
         for (Extrema& row : tiles) {
@@ -102,15 +102,15 @@ TEST(TileKernels, BitsAreThoseOfThePlainLoop) {
         std::vector<Words> memory(16, Words(words));
         std::vector<BitRows> rows(4);
         for (std::size_t i = 0; i < 16; ++i) rows[i / 4][i % 4] = memory[i].data();
-        threshold_tiles(pixels.rows, width, tiles[0].row(), tiles[1].row(), tiles[2].row(), band,
+        threshold_tiles(pixels.rows, width, tiles[0].row(), tiles[1].row(), tiles[2].row(), rule,
                         rows[0], rows[1]);
         scalar::threshold_tiles(pixels.rows, width, tiles[0].row(), tiles[1].row(), tiles[2].row(),
-                                band, rows[2], rows[3]);
+                                rule, rows[2], rows[3]);
         for (std::size_t i = 0; i < 8; ++i)
           ASSERT_EQ(memory[i], memory[i + 8]) << width << " " << i;
         // Without white rows the black ones are the same.
         Words black(words);
-        threshold_tiles(pixels.rows, width, tiles[0].row(), tiles[1].row(), tiles[2].row(), band,
+        threshold_tiles(pixels.rows, width, tiles[0].row(), tiles[1].row(), tiles[2].row(), rule,
                         {black.data(), nullptr, nullptr, nullptr}, {});
         ASSERT_EQ(black, memory[0]);
       }

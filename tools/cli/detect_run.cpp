@@ -133,6 +133,7 @@ constexpr Counter kTrackerCounters[] = {
     {"  not convex", &DetectStats::starts_not_convex},
     {"shapes", &DetectStats::shapes},
     {"  too small", &DetectStats::shapes_too_small},
+    {"  found before", &DetectStats::quads_known},
 };
 constexpr Counter kCounters[] = {
     {"  no four corners", &DetectStats::no_corners},

@@ -102,7 +102,7 @@ HWY_ATTR ByteVector neighbourhood(const std::uint8_t* above, const std::uint8_t*
 /// Writes the vectors of bits from x on.
 template <bool kWhite>
 HWY_ATTR void threshold_at(const PixelRows& rows, int from, int x, int pixels, const TileRow& above,
-                           const TileRow& here, const TileRow& below, ContrastBand band,
+                           const TileRow& here, const TileRow& below, ContrastRule rule,
                            const BitRows& black, const BitRows& white) {
   const Bytes d;
   const auto bits_at = [x](std::uint64_t* row) {
@@ -111,9 +111,8 @@ HWY_ATTR void threshold_at(const PixelRows& rows, int from, int x, int pixels, c
   const ByteVector low = neighbourhood(above.low, here.low, below.low, x, Least());
   const ByteVector high = neighbourhood(above.high, here.high, below.high, x, Most());
   const ByteVector contrast = hn::Sub(high, low);
-  // Unsigned a <= b is min(a, b) == a.
-  auto counts = hn::And(hn::Eq(hn::Max(contrast, hn::Set(d, band.floor)), contrast),
-                        hn::Eq(hn::Min(contrast, hn::Set(d, band.ceiling)), contrast));
+  // Unsigned a >= b is max(a, b) == a.
+  auto counts = hn::Eq(hn::Max(contrast, hn::Set(d, rule.floor)), contrast);
   if (pixels < static_cast<int>(hn::Lanes(d))) {
     counts = hn::And(counts, hn::FirstN(d, static_cast<std::size_t>(pixels)));
   }
@@ -126,9 +125,11 @@ HWY_ATTR void threshold_at(const PixelRows& rows, int from, int x, int pixels, c
     return;
   }
   const ByteVector middle = hn::AverageRound(low, high);
+  const auto moderate = hn::Eq(hn::Min(contrast, hn::Set(d, rule.middle_up_to)), contrast);
+  const ByteVector threshold = hn::IfThenElse(moderate, middle, hn::AverageRound(low, middle));
   for (std::size_t i = 0; i < kTile; ++i) {
     const ByteVector pixel = hn::LoadU(d, rows[i] + from);
-    const auto bright = hn::Eq(hn::Max(pixel, middle), pixel);
+    const auto bright = hn::Eq(hn::Max(pixel, threshold), pixel);
     if (black[i]) hn::StoreMaskBits(d, hn::AndNot(bright, counts), bits_at(black[i]));
     if (kWhite && white[i]) hn::StoreMaskBits(d, hn::And(bright, counts), bits_at(white[i]));
   }
@@ -136,24 +137,24 @@ HWY_ATTR void threshold_at(const PixelRows& rows, int from, int x, int pixels, c
 
 template <bool kWhite>
 HWY_ATTR void threshold_row(const PixelRows& rows, int width, const TileRow& above,
-                            const TileRow& here, const TileRow& below, ContrastBand band,
+                            const TileRow& here, const TileRow& below, ContrastRule rule,
                             const BitRows& black, const BitRows& white) {
   const int lanes = static_cast<int>(hn::Lanes(Bytes()));
   int x = 0;
   for (; x + lanes <= width; x += lanes) {
-    threshold_at<kWhite>(rows, x, x, lanes, above, here, below, band, black, white);
+    threshold_at<kWhite>(rows, x, x, lanes, above, here, below, rule, black, white);
   }
   if (x < width) {
     const RowEnds ends(rows, x, width);
-    threshold_at<kWhite>(ends.rows, 0, x, width - x, above, here, below, band, black, white);
+    threshold_at<kWhite>(ends.rows, 0, x, width - x, above, here, below, rule, black, white);
   }
 }
 
 HWY_ATTR void threshold_tiles(const PixelRows& rows, int width, const TileRow& above,
-                              const TileRow& here, const TileRow& below, ContrastBand band,
+                              const TileRow& here, const TileRow& below, ContrastRule rule,
                               const BitRows& black, const BitRows& white) {
   const bool any_white = white != BitRows{};
-  (any_white ? threshold_row<true> : threshold_row<false>)(rows, width, above, here, below, band,
+  (any_white ? threshold_row<true> : threshold_row<false>)(rows, width, above, here, below, rule,
                                                            black, white);
 }
 
@@ -185,7 +186,7 @@ void scalar::tile_extrema(const PixelRows& rows, int width, std::uint8_t* low, s
 }
 
 void scalar::threshold_tiles(const PixelRows& rows, int width, const TileRow& above,
-                             const TileRow& here, const TileRow& below, ContrastBand band,
+                             const TileRow& here, const TileRow& below, ContrastRule rule,
                              const BitRows& black, const BitRows& white) {
   for (std::size_t i = 0; i < kTile; ++i) {
     for (const BitRows* to : {&black, &white}) {
@@ -201,9 +202,11 @@ void scalar::threshold_tiles(const PixelRows& rows, int width, const TileRow& ab
         high = std::max(high, row->high[at]);
       }
     }
-    if (high - low < band.floor || high - low > band.ceiling) continue;
+    if (high - low < rule.floor) continue;
+    const int middle = (low + high + 1) / 2;
+    const int threshold = high - low <= rule.middle_up_to ? middle : (low + middle + 1) / 2;
     for (std::size_t i = 0; i < kTile; ++i) {
-      const bool is_black = rows[i][x] < (low + high + 1) / 2;
+      const bool is_black = rows[i][x] < threshold;
       std::uint64_t* to = is_black ? black[i] : white[i];
       if (to) to[x / 64] |= std::uint64_t{1} << (x % 64);
     }
@@ -218,14 +221,14 @@ void tile_extrema(const PixelRows& rows, int width, std::uint8_t* low, std::uint
 }
 
 void threshold_tiles(const PixelRows& rows, int width, const TileRow& above, const TileRow& here,
-                     const TileRow& below, ContrastBand band, const BitRows& black,
+                     const TileRow& below, ContrastRule rule, const BitRows& black,
                      const BitRows& white) {
   // The vector path writes bits as bytes.
   if constexpr (std::endian::native == std::endian::little) {
     HWY_DYNAMIC_DISPATCH(threshold_tiles)
-    (rows, width, above, here, below, band, black, white);
+    (rows, width, above, here, below, rule, black, white);
   } else {
-    scalar::threshold_tiles(rows, width, above, here, below, band, black, white);
+    scalar::threshold_tiles(rows, width, above, here, below, rule, black, white);
   }
 }
 

@@ -20,10 +20,12 @@ struct TileRow {
   const std::uint8_t* high = nullptr;
 };
 
-/// Which contrasts count, gray levels: floor <= high - low <= ceiling.
-struct ContrastBand {
+/// Where black ends, by the contrast high - low, gray levels: below `floor` nothing is black or
+/// white; up to `middle_up_to` the threshold is half-way from low to high, above a quarter of the
+/// way.
+struct ContrastRule {
   std::uint8_t floor = 5;
-  std::uint8_t ceiling = 255;
+  std::uint8_t middle_up_to = 255;
 };
 
 /// Four rows of bits to write; null where a row is not wanted.
@@ -35,14 +37,14 @@ using BitRows = std::array<std::uint64_t*, kTile>;
 void tile_extrema(const PixelRows& rows, int width, std::uint8_t* low, std::uint8_t* high);
 
 /// Black and white of four rows of pixels. With low and high the extrema over 3 x 3 tiles, a pixel
-/// is black below (low + high + 1) / 2 and white otherwise, and neither where high - low is outside
-/// the band.
+/// is black below middle = (low + high + 1) / 2, or below (low + middle + 1) / 2 where the contrast
+/// is large, and white otherwise; it is neither where the contrast is below the floor.
 ///   above, here, below   extrema of the three rows of tiles
 ///   black, white         get whole vectors of bits, zero beyond the width
 ///   cost                 a pass over the pixels, a vector at a time; none over those without
 ///   contrast
 void threshold_tiles(const PixelRows& rows, int width, const TileRow& above, const TileRow& here,
-                     const TileRow& below, ContrastBand band, const BitRows& black,
+                     const TileRow& below, ContrastRule rule, const BitRows& black,
                      const BitRows& white);
 
 namespace scalar {
@@ -50,7 +52,7 @@ namespace scalar {
 /// The same, a pixel at a time.
 void tile_extrema(const PixelRows& rows, int width, std::uint8_t* low, std::uint8_t* high);
 void threshold_tiles(const PixelRows& rows, int width, const TileRow& above, const TileRow& here,
-                     const TileRow& below, ContrastBand band, const BitRows& black,
+                     const TileRow& below, ContrastRule rule, const BitRows& black,
                      const BitRows& white);
 
 }  // namespace scalar

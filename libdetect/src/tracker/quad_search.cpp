@@ -73,7 +73,7 @@ void count(CornerOutcome outcome, DetectStats& stats) {
 }  // namespace
 
 /// Stage T2, a band at a time.
-void QuadSearch::make_bitmaps(ImageView image, ContrastBand contrast, WorkShare& share,
+void QuadSearch::make_bitmaps(ImageView image, ContrastRule contrast, WorkShare& share,
                               DetectStats& stats) {
   const StageTimer timer(stats, Stage::Bitmap);
   black_.resize(image.width, image.height);
@@ -100,7 +100,12 @@ void QuadSearch::follow_start(const Task& task, int x, int y, Worker& worker, Ba
     count(result.refused, stats);
     return;
   }
-  band.quads.push_back({*result.corners, task.reversed});
+  const Quad quad{*result.corners, task.reversed};
+  if (task.options.known && task.options.known->holds(quad)) {
+    ++stats.quads_known;
+    return;
+  }
+  band.quads.push_back(quad);
 }
 
 /// Stage T6 for the quads of a band from `first` on.
@@ -175,7 +180,7 @@ void QuadSearch::show_outlines(DebugSink& debug) const {
   debug.clusters(points, begin);
 }
 
-void QuadSearch::run(ImageView image, ContrastBand contrast, const Options& options,
+void QuadSearch::run(ImageView image, ContrastRule contrast, const Options& options,
                      WorkShare& share, DetectStats& stats, DebugSink* debug,
                      std::vector<Quad>& quads) {
   make_bitmaps(image, contrast, share, stats);

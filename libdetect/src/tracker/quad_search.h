@@ -12,6 +12,7 @@
 #include "tagmint/detect/detect_stats.h"
 #include "tagmint/detect/image_view.h"
 #include "tracker/bit_plane.h"
+#include "tracker/known_quads.h"
 #include "tracker/t2_bitmap.h"
 #include "tracker/t4_track.h"
 #include "tracker/t5_corners.h"
@@ -29,15 +30,17 @@ class QuadSearch {
   struct Options {
     double min_side_px = 4;  ///< quads with a smaller mean side are refused, px of the picture
     bool fit_edges = true;   ///< false: corners stay as the bitmap has them
+    /// Quads of the picture that need not be found again.
+    const KnownQuads* known = nullptr;
   };
 
   explicit QuadSearch(const QuadKinds& kinds) : kinds_(kinds) {}
 
   /// Adds the picture's quads to `quads`, in its pixels, band by band.
-  ///   contrast   tiles of which contrast are looked at
+  ///   contrast   which tiles are looked at, and what is black in them
   ///   stats      counts and times are added
   ///   debug      takes the bitmap and the outlines of the shapes followed, or null
-  void run(ImageView image, ContrastBand contrast, const Options& options, WorkShare& share,
+  void run(ImageView image, ContrastRule contrast, const Options& options, WorkShare& share,
            DetectStats& stats, DebugSink* debug, std::vector<Quad>& quads);
 
  private:
@@ -65,7 +68,7 @@ class QuadSearch {
     bool keep_outlines;
   };
 
-  void make_bitmaps(ImageView image, ContrastBand contrast, WorkShare& share, DetectStats& stats);
+  void make_bitmaps(ImageView image, ContrastRule contrast, WorkShare& share, DetectStats& stats);
   void search(const Task& task, WorkShare& share, DetectStats& stats);
   void search_band(const Task& task, int index, Worker& worker);
   void follow_starts(const Task& task, int first, int rows, std::size_t words, Worker& worker,

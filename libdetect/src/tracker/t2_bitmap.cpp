@@ -51,7 +51,7 @@ class RollingTiles {
 
 }  // namespace
 
-void threshold_rows(ImageView image, int first, int end, ContrastBand band, BitmapScratch& scratch,
+void threshold_rows(ImageView image, int first, int end, ContrastRule rule, BitmapScratch& scratch,
                     BitPlane& black, BitPlane* white) {
   assert(first % kTile == 0);
   RollingTiles tiles(image, scratch);
@@ -68,7 +68,7 @@ void threshold_rows(ImageView image, int first, int end, ContrastBand band, Bitm
       if (white) white_rows[static_cast<std::size_t>(i)] = white->row(tile * kTile + i);
     }
     threshold_tiles(tiles.pixels(tile), image.width, tiles.at(tile - 1), tiles.at(tile),
-                    tiles.at(tile + 1), band, black_rows, white_rows);
+                    tiles.at(tile + 1), rule, black_rows, white_rows);
   }
 }
 

@@ -22,7 +22,7 @@ struct BitmapScratch {
 ///   first, end    rows to write, first a multiple of kTile, end one or the image's height
 ///   black, white  as large as the image; white may be null
 ///   cost          0.03 ns a pixel with vectors of 32 bytes
-void threshold_rows(ImageView image, int first, int end, ContrastBand band, BitmapScratch& scratch,
+void threshold_rows(ImageView image, int first, int end, ContrastRule rule, BitmapScratch& scratch,
                     BitPlane& black, BitPlane* white);
 
 }  // namespace tagmint::detect

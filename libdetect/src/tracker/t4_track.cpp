@@ -15,6 +15,10 @@ constexpr int kRowsPerCheck = 4;
 /// Sides may bend inwards by this many px, and one more for every kRowsPerBend rows.
 constexpr int kMaxBend = 2;
 constexpr int kRowsPerBend = 32;
+/// From this height on a shape is large (a multiple of kRowsPerCheck): it may fail a look for every
+/// kRowsPerPatience rows of its height, one after another.
+constexpr int kPatientRows = 24;
+constexpr int kRowsPerPatience = 24;
 
 /// Bits of a window, those that may be anything set to 0.
 constexpr std::uint64_t kWindow = (std::uint64_t{1} << kWindowBits) - 1;
@@ -121,13 +125,37 @@ bool is_covered(const std::uint64_t* above, int first, int last) {
   return next_black(above, first - 1, last) <= last;
 }
 
-/// Whether the sides bend inwards by more than noise does: half-way between the first and the last
-/// of 2 n + 1 rows, each must lie outside its chord or near it.
-bool bends_inwards(const std::int32_t* lefts, const std::int32_t* rights, int n) {
-  const int most = 2 * kMaxBend + 4 * n / kRowsPerBend;
-  return 2 * lefts[n] - lefts[0] - lefts[2 * n] > most ||
-         rights[0] + rights[2 * n] - 2 * rights[n] > most;
+/// Whether the sides bend inwards by more than noise does: half-way between rows i and k, an even
+/// number of rows apart, each must lie outside its chord or near it.
+bool bends_inwards(const std::int32_t* lefts, const std::int32_t* rights, int i, int k) {
+  const int middle = (i + k) / 2;
+  const int most = 2 * kMaxBend + 2 * (k - i) / kRowsPerBend;
+  return 2 * lefts[middle] - lefts[i] - lefts[k] > most ||
+         rights[i] + rights[k] - 2 * rights[middle] > most;
 }
+
+/// Looks at the sides every kRowsPerCheck rows. Large shapes may fail some looks in a row: a speck
+/// that touches the border, or a pen's mark, is only so high.
+class ConvexityCheck {
+ public:
+  ConvexityCheck(int left, int right) : left_(-left), right_(right) {}
+  /// Whether to go on after row `last`, a multiple of kRowsPerCheck.
+  bool goes_on(const std::int32_t* lefts, const std::int32_t* rights, int last) {
+    bool convex = !bends_inwards(lefts, rights, 0, last);
+    if (last < kPatientRows) {
+      convex = left_.goes_on(-lefts[last]) && right_.goes_on(rights[last]) && convex;
+      return convex;
+    }
+    convex = convex && !bends_inwards(lefts, rights, last - kPatientRows, last);
+    failed_ = convex ? 0 : failed_ + 1;
+    return failed_ <= last / kRowsPerPatience;
+  }
+
+ private:
+  Turn left_;
+  Turn right_;
+  int failed_ = 0;
+};
 
 /// Marks a pixel of a row; whether it was marked before.
 bool visit(std::uint64_t* row, int x) {
@@ -164,8 +192,7 @@ TrackOutcome track_shape(const BitPlane& black, int x, int y, VisitedBand& visit
   std::uint64_t* visited_row = visited.row(y);
   std::int32_t* const lefts = shape.left.data();
   std::int32_t* const rights = shape.right.data();
-  Turn left_turn(-left);
-  Turn right_turn(right);
+  ConvexityCheck check(left, right);
   int height = 0;
   for (;;) {
     if (height < rows_minded) {
@@ -174,11 +201,8 @@ TrackOutcome track_shape(const BitPlane& black, int x, int y, VisitedBand& visit
     }
     lefts[height] = left;
     rights[height] = right;
-    if (height % kRowsPerCheck == 0 && height > 0) {
-      if (!left_turn.goes_on(-left) || !right_turn.goes_on(right) ||
-          bends_inwards(lefts, rights, height / 2)) {
-        return TrackOutcome::NotConvex;
-      }
+    if (height % kRowsPerCheck == 0 && height > 0 && !check.goes_on(lefts, rights, height)) {
+      return TrackOutcome::NotConvex;
     }
     ++height;
     if (height == rows_left) break;

@@ -23,6 +23,10 @@ constexpr int kMinMeanPoints = 6;
 constexpr double kMinCornerSine = 0.1;
 constexpr double kMaxShiftPx = 2.5;
 constexpr double kMaxShiftShare = 0.15;
+/// Shapes of at least this mean side whose area is right to this share may have points far from
+/// their sides.
+constexpr double kMarkedSidePx = 24;
+constexpr double kMarkedAreaShare = 0.06;
 /// Points of the outline may lie this far from their side: px, and a share of its length, since a
 /// corner's extreme point may be at the other end of a nearly level run than the corner, and lenses
 /// bend long sides.
@@ -254,7 +258,10 @@ CornerResult find_corners(const Shape& shape, const CornerOptions& options,
   if (off > kAreaShare * area + kAreaPerPoint * 2 * shape.height) {
     return {{}, CornerOutcome::WrongArea};
   }
-  for (std::size_t i = 0; i < 4; ++i) {
+  // Specks and pens' marks stick out of a border by up to a cell. They hardly change its area, and
+  // the gray values of T6 tell a large border from other shapes well enough.
+  const bool marked = area >= kMarkedSidePx * kMarkedSidePx && off <= kMarkedAreaShare * area;
+  for (std::size_t i = 0; i < 4 && !marked; ++i) {
     if (!is_straight(outline, (*points)[i], (*points)[(i + 1) % 4], clockwise[i],
                      clockwise[(i + 1) % 4])) {
       return {{}, CornerOutcome::NotStraight};

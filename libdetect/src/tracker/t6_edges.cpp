@@ -24,7 +24,9 @@ constexpr double kRounding = 1;
 /// A side whose points scatter by more (rms) is not straight: px, and a share of its length for
 /// lenses that bend it.
 constexpr double kMaxScatterPx = 0.6;
-constexpr double kMaxScatterShare = 0.012;
+constexpr double kMaxScatterShare = 0.016;
+/// Sides this near to the edge of the picture may be cut by it, px.
+constexpr double kEdgePx = 2.0;
 /// Sine of the least angle between neighbouring sides.
 constexpr double kMinSine = 0.1;
 /// Corners may move by this many px and this share of the mean side.
@@ -180,6 +182,15 @@ std::optional<Line> fit_side(ImageView image, Point from, Point to, std::uint8_t
   return Line{{across, along}, {slope, 1}};
 }
 
+/// Whether a side runs along the edge of the picture.
+bool is_at_edge(ImageView image, Point from, Point to) {
+  const auto both_within = [](double a, double b, double first, double last) {
+    return (a <= first && b <= first) || (a >= last && b >= last);
+  };
+  return both_within(from.x, to.x, kEdgePx, image.width - kEdgePx) ||
+         both_within(from.y, to.y, kEdgePx, image.height - kEdgePx);
+}
+
 /// Coordinates are far from any overflow of their squares.
 double length_of(Point p) { return std::sqrt(dot(p, p)); }
 
@@ -206,8 +217,11 @@ std::optional<Quad> fit_edges(ImageView image, const Quad& quad, const EdgeOptio
   const std::uint8_t flip = quad.reversed_border ? 255 : 0;
   std::array<Line, 4> lines;
   for (std::size_t i = 0; i < 4; ++i) {
-    const std::optional<Line> line =
-        fit_side(image, quad.corners[i], quad.corners[(i + 1) % 4], flip);
+    const Point from = quad.corners[i];
+    const Point to = quad.corners[(i + 1) % 4];
+    std::optional<Line> line = fit_side(image, from, to, flip);
+    // Where the picture ends there is no edge to see.
+    if (!line && is_at_edge(image, from, to)) line = Line{from, to - from};
     if (!line) return std::nullopt;
     lines[i] = *line;
   }

@@ -51,6 +51,7 @@ struct DetectStats {
   std::int64_t starts_not_convex = 0;  ///< left early: no quad turns like that
   std::int64_t shapes = 0;             ///< followed to their lower end
   std::int64_t shapes_too_small = 0;   ///< too low, narrow or thin
+  std::int64_t quads_known = 0;        ///< at half the size, found before at full size
   // Both
   std::int64_t no_corners = 0;     ///< no four corners: peaks of the line-fit error, extreme points
   std::int64_t bad_fit = 0;        ///< no four corners with straight sides
