@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -172,6 +173,42 @@ TEST(DetectProgram, WritesOverlaysAndDebugPictures) {
                                       folder.file("b.png"), "--overlay", folder.file("found/")});
   ASSERT_EQ(into.exit_code, 0) << into.err;
   EXPECT_EQ(io::read_gray_image(folder.file("found/b-overlay.png")).width(), 640);
+}
+
+TEST(DetectProgram, AFolderStandsForThePicturesInIt) {
+  const ScratchFolder folder;
+  std::filesystem::create_directory(folder.path() / "pictures");
+  render(folder, "pictures/b", {"tag36h11", "--count", "1"});
+  render(folder, "pictures/a", {"tag36h11", "--count", "2"});
+  const ProgramResult result =
+      tagmint({"detect", "--family", "tag36h11", "--format", "jsonl", folder.file("pictures")});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const std::vector<Json> lines = lines_of(result.out);
+  ASSERT_EQ(lines.size(), 2U);  // the truth files beside the pictures are none
+  EXPECT_TRUE(lines[0].at("image").get<std::string>().ends_with("a.png"));
+  EXPECT_EQ(lines[0].at("detections").size(), 2U);
+  EXPECT_TRUE(lines[1].at("image").get<std::string>().ends_with("b.png"));
+  std::filesystem::create_directory(folder.path() / "empty");
+  EXPECT_EQ(tagmint({"detect", "--family", "tag36h11", folder.file("empty")}).exit_code, 3);
+}
+
+TEST(DetectProgram, BothAlgorithmsFindTheTagsAndTellTheirStages) {
+  const ScratchFolder folder;
+  render(folder, "a", {"tag36h11", "--count", "4"});
+  for (const std::string algorithm : {"tracker", "paper"}) {
+    const ProgramResult result =
+        tagmint({"detect", "--family", "tag36h11", "--algorithm", algorithm, "--stats", "--format",
+                 "jsonl", folder.file("a.png")});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(lines_of(result.out).at(0).at("detections").size(), 4U) << algorithm;
+    const bool tracker = algorithm == "tracker";
+    EXPECT_EQ(result.err.find("bitmap") != std::string::npos, tracker);
+    EXPECT_EQ(result.err.find("fit_quads") != std::string::npos, !tracker);
+  }
+  EXPECT_EQ(
+      tagmint({"detect", "--family", "tag36h11", "--algorithm", "trackr", folder.file("a.png")})
+          .exit_code,
+      2);
 }
 
 TEST(DetectProgram, LooksForTheIdsThatWereAskedFor) {

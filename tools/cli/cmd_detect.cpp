@@ -132,7 +132,8 @@ void add_output_options(CLI::App& app, DetectArguments& arguments) {
 
 Runner set_up(CLI::App& app, const Common& common) {
   auto arguments = std::make_shared<DetectArguments>();
-  app.add_option("IMAGE", arguments->images, "PNG, JPEG, PNM or TIFF; - is stdin")->required();
+  app.add_option("IMAGE", arguments->images, "PNG, JPEG, PNM or TIFF, or a folder; - is stdin")
+      ->required();
   add_search_options(app, *arguments);
   add_output_options(app, *arguments);
   return [arguments, &common] { return run(*arguments, common); };

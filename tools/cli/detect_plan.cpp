@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -11,6 +12,7 @@
 #include "cli/length.h"
 #include "cli/options.h"
 #include "tagmint/codec/builtin_families.h"
+#include "tagmint/codec/errors.h"
 #include "tagmint/detect/detector.h"
 
 namespace tagmint::cli {
@@ -99,13 +101,52 @@ void require_own_files(const std::vector<ImageTask>& tasks) {
   }
 }
 
+/// Whether the name ends like that of a picture that can be read.
+bool is_named_like_an_image(const fs::path& path) {
+  static const std::set<std::string> kEndings = {".png", ".jpg", ".jpeg", ".pgm",
+                                                 ".ppm", ".pnm", ".tif",  ".tiff"};
+  std::string ending = path.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return kEndings.contains(ending);
+}
+
+/// The arguments with each folder replaced by the pictures in it, by name.
+std::vector<std::string> pictures_of(const std::vector<std::string>& arguments) {
+  std::vector<std::string> images;
+  for (const std::string& argument : arguments) {
+    std::error_code error;
+    if (argument == "-" || !fs::is_directory(argument, error)) {
+      images.push_back(argument);
+      continue;
+    }
+    std::vector<std::string> inside;
+    for (fs::directory_iterator file(argument, error), end; !error && file != end;
+         file.increment(error)) {
+      if (is_named_like_an_image(file->path())) inside.push_back(file->path().string());
+    }
+    if (error) {
+      throw codec::InputError("the folder cannot be read: " + error.message(), argument,
+                              "choose another one");
+    }
+    if (inside.empty()) {
+      throw codec::InputError("the folder has no picture", argument,
+                              "it should hold PNG, JPEG, PNM or TIFF files");
+    }
+    std::sort(inside.begin(), inside.end());
+    images.insert(images.end(), inside.begin(), inside.end());
+  }
+  return images;
+}
+
 std::vector<ImageTask> plan_tasks(const DetectArguments& arguments) {
   if (std::count(arguments.images.begin(), arguments.images.end(), "-") > 1) {
     throw UsageError("stdin is given twice", "-", "give it once");
   }
   std::vector<ImageTask> tasks;
-  const bool several = arguments.images.size() > 1;
-  for (const std::string& image : arguments.images) {
+  const std::vector<std::string> images = pictures_of(arguments.images);
+  const bool several = images.size() > 1;
+  for (const std::string& image : images) {
     ImageTask task{.image = image, .overlay = {}, .debug_folder = {}};
     const std::string name = name_of_image(image);
     if (!arguments.overlay.empty()) task.overlay = overlay_path(arguments.overlay, name);
