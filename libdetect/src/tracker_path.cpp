@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "kernels/halve_kernels.h"
+#include "numerics/bilinear.h"
 #include "stage_timer.h"
 #include "tracker/t1_noise_floor.h"
 
@@ -21,6 +22,29 @@ constexpr double kHalfNoiseSpread = 2.5;
 
 /// Tiles with less contrast hold no edge of a shadow across a tag in good light.
 constexpr double kLeastShadowContrast = 50;
+
+/// A quad of fainter sides, in floors, may be better at half the size.
+constexpr double kTrustedContrast = 1.5;
+
+/// Mean difference of the gray values on both sides of the middles of a quad's sides, gray levels.
+///   scale   full pixels, which the quad is in, to one of the image
+double edge_contrast(ImageView image, const Quad& quad, double scale) {
+  constexpr double kAway = 1.5;  // px of the image: outside of a sharp edge's blur
+  double sum = 0;
+  int sides = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Point from = (1 / scale) * quad.corners[i];
+    const Point step = (1 / scale) * quad.corners[(i + 1) % 4] - from;
+    const Point outward = (kAway / std::sqrt(dot(step, step))) * Point{-step.y, step.x};
+    const Point middle = from + 0.5 * step;
+    const auto outside = sample_bilinear(image, middle + outward);
+    const auto inside = sample_bilinear(image, middle - outward);
+    if (!outside || !inside) continue;
+    sum += std::abs(*outside - *inside);
+    ++sides;
+  }
+  return sides > 0 ? sum / sides : 0;
+}
 
 std::uint8_t gray_level(double value) {
   return static_cast<std::uint8_t>(std::clamp(std::lround(value), 0L, 255L));
@@ -81,7 +105,13 @@ std::span<const Quad> TrackerPath::find_quads(ImageView full, WorkShare& share, 
   const int half_floor = contrast_floor(noise / 2, options_.min_contrast, 255);
   if (half_floor <= kMostFloor && working.width >= 2 && working.height >= 2) {
     const double scale = 2 * options_.decimate;
-    known_.assign(quads_, scale);
+    trusted_.clear();
+    for (const Quad& quad : quads_) {
+      if (edge_contrast(working, quad, options_.decimate) >= kTrustedContrast * floor) {
+        trusted_.push_back(quad);
+      }
+    }
+    known_.assign(trusted_, scale);
     const double middle_up_to =
         floor <= kTrustedFloor ? std::max(kLeastShadowContrast, floor + kHalfNoiseSpread * noise)
                                : 255;

@@ -46,6 +46,7 @@ class TrackerPath {
   Image halved_;
   QuadSearch whole_search_;
   QuadSearch half_search_;
+  std::vector<Quad> trusted_;  ///< quads that need not be looked for at half the size
   KnownQuads known_;
   std::vector<Quad> quads_;
 };
