@@ -21,12 +21,18 @@ using testing::FixedRandom;
 
 Quad quad_of(const Corners& corners, bool reversed = false) { return {corners, reversed}; }
 
-/// How many of 60 tags of 36h11 are read, 40 px wide, with the picture blurred.
+/// One for all tests: its table takes a while.
+const Decoder& decoder_of_36h11() {
+  static const Decoder decoder(codec::find_family("tag36h11"));
+  return decoder;
+}
+
+/// How many of 40 tags of 36h11 are read, 40 px wide, with the picture blurred.
 int read_through_blur(double sigma_px, bool harder) {
-  const Decoder decoder(codec::find_family("tag36h11"));
+  const Decoder& decoder = decoder_of_36h11();
   DecodeScratch scratch;
   int read = 0;
-  for (codec::TagId id = 0; id < 60; ++id) {
+  for (codec::TagId id = 0; id < 40; ++id) {
     FixedRandom random(id);
     Canvas canvas(90, 90, 130);
     const auto map = testing::square_at({45, 45}, 40, random.real(0, 6.28));
@@ -43,13 +49,14 @@ int read_through_blur(double sigma_px, bool harder) {
 }
 
 TEST(DecodeHard, DeconvolutionReadsThroughBlur) {
-  EXPECT_GE(read_through_blur(2, true), 59);
-  EXPECT_GE(read_through_blur(3, true), 40);
-  EXPECT_LT(read_through_blur(3, false), 20);  // what it adds
+  EXPECT_GE(read_through_blur(2, true), 39);
+  const int through_three = read_through_blur(3, true);
+  EXPECT_GE(through_three, 30);
+  EXPECT_LT(read_through_blur(3, false), through_three);  // what it adds
 }
 
 TEST(DecodeHard, AHardShadowAcrossTheTagIsReadThrough) {
-  const Decoder decoder(codec::find_family("tag36h11"));
+  const Decoder& decoder = decoder_of_36h11();
   DecodeScratch scratch;
   int read = 0, plain = 0;
   for (codec::TagId id = 0; id < 40; ++id) {

@@ -267,8 +267,8 @@ TEST(PoseAmbiguity, IsTheShareOfWrongChoices) {
   int wrong = 0, both = 0, ambiguous = 0, wrong_though_clear = 0;
   for (int round = 0; round < 1500; ++round) {
     const Truth truth = looking_at(random.real(5, 40) * kDegree, random.real(0, 6.28),
-                                   random.real(0, 6.28), {0.1, 0, random.real(1, 4)});
-    const NoisyCorners noisy = with_noise(seen(truth, kCamera), 0.03, random);
+                                   random.real(0, 6.28), {0.1, 0, random.real(2, 6)});
+    const NoisyCorners noisy = with_noise(seen(truth, kCamera), 0.05, random);
     const auto estimate = estimate_pose(noisy.corners, kCamera, kEdge, noisy.covariance);
     ASSERT_TRUE(estimate);
     if (!estimate->alternative) continue;

@@ -68,9 +68,9 @@ TEST_P(RefinePhotometric, FindsTheCornersOfEveryLayout) {
     const Image image = photographed(painted, 1);
     const auto fit = refined(image, painted, shaken(painted.truth, 0.25));
     ASSERT_TRUE(fit) << side;
-    // Noise of one level in 170 leaves some thousandths; blur between pixels as it is painted here
-    // is no lens's and leaves a hundredth.
-    EXPECT_LT(largest_error(fit->corners, painted.truth), 0.03) << side;
+    // Noise of one level in 170 leaves some thousandths, edges painted by 64 points a pixel and
+    // blurred between pixels some hundredths.
+    EXPECT_LT(largest_error(fit->corners, painted.truth), 0.05) << side;
     EXPECT_NEAR(fit->parameters.black, 40, 8);
     EXPECT_NEAR(fit->parameters.contrast, 170, 12);
   }
