@@ -325,8 +325,13 @@ bool Fit::agrees_better(const std::array<double, 8>& before) const {
 std::optional<PhotometricFit> Fit::result(const Corners& corners) const {
   const std::optional<Corners> ideal = ideal_corners();
   if (!ideal) return std::nullopt;
-  const double allowed = std::max(std::min(kMaxShift_px, kMaxShiftOfSmallCells * cell_px_),
-                                  kMaxShiftOfLargeCells * cell_px_);
+  if (options_.noise && std::sqrt(variance_) > 2 * std::max(0.5, *options_.noise) +
+                                                   kMaxMisfit * parameters_.contrast) {
+    return std::nullopt;
+  }
+  const double allowed = std::max({std::min(kMaxShift_px, kMaxShiftOfSmallCells * cell_px_),
+                                   kMaxShiftOfLargeCells * cell_px_,
+                                   kMaxShiftOfSpread * spread_px(parameters_)});
   PhotometricFit fit;
   for (int i = 0; i < 4; ++i) {
     fit.corners[i] = to_image_px(options_.lens, (*ideal)[i]);

@@ -94,7 +94,8 @@ class TagPattern {
   int padded(int x, int y) const { return (y + kPad) * (width_ + 2 * kPad) + x + kPad; }
   void extend_guesses();
   void take_differences();
-  CellSurroundings surroundings_at(int first_x, int first_y) const;
+  template <int kEdges>
+  void fill_surroundings();
   std::int32_t flags_of(int x, int y) const;
 
   int edges_ = kMiddlingCells;
