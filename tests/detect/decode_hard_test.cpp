@@ -39,8 +39,8 @@ int read_through_blur(double sigma_px, bool harder) {
     testing::paint_tag(canvas, *decoder.family(), id, map);
     testing::blur(canvas, sigma_px);
     const Image image = testing::to_gray(canvas, 2, random);
-    const DecodeResult result = decode_quad(image, quad_of(testing::corners_of(map)), decoder,
-                                            {.harder = harder}, scratch);
+    const DecodeResult result =
+        decode_quad(image, quad_of(testing::corners_of(map)), decoder, {.harder = harder}, scratch);
     if (!result.detection) continue;
     EXPECT_EQ(result.detection->id, id);
     ++read;
@@ -89,9 +89,8 @@ std::vector<Detection> detect_print(bool inverted, bool mirrored, const Detector
   Canvas canvas(170, 160, 130);
   const auto map = testing::square_at({84.2, 79.1}, 62, 0.35);
   const auto& h = map.row_major();
-  const Homography seen = mirrored ? Homography({-h[0], h[1], h[2], -h[3], h[4], h[5], -h[6], h[7],
-                                                 h[8]})
-                                   : map;
+  const Homography seen =
+      mirrored ? Homography({-h[0], h[1], h[2], -h[3], h[4], h[5], -h[6], h[7], h[8]}) : map;
   testing::Ink ink;
   if (inverted) std::swap(ink.black, ink.white);
   testing::paint_tag(canvas, *family, 6, seen, ink);
@@ -164,8 +163,8 @@ TEST(Evidence, TellsATagFromGraysInABorder) {
     if (!match) continue;
     const codec::Codeword seen =
         codec::rotate(family->codeword(match->id), family->bits(), 4 - match->rotation);
-    const double odds = log_odds(
-        *family, match->hamming, cell_evidence(layout, cells, seen, {}, 0.1, colours), 1);
+    const double odds =
+        log_odds(*family, match->hamming, cell_evidence(layout, cells, seen, {}, 0.1, colours), 1);
     if (is_tag) {
       ++tags;
       tags_believed += odds > 0;
@@ -223,9 +222,9 @@ TEST(NestedTags, AreBothReported) {
   testing::blur(canvas, 0.7);
   FixedRandom random(1);
   const Image image = testing::to_gray(canvas, 2, random);
-  const auto found = Detector({std::make_shared<const Decoder>(host),
-                               std::make_shared<const Decoder>(guest)})
-                         .detect(image);
+  const auto found =
+      Detector({std::make_shared<const Decoder>(host), std::make_shared<const Decoder>(guest)})
+          .detect(image);
   ASSERT_EQ(found.size(), 2U);
   EXPECT_EQ(found[0].id, 33U);
   EXPECT_EQ(found[1].id, 9U);
@@ -240,8 +239,8 @@ TEST(LargeFamilies, OfMillionsOfTagsAreFoundWithAllElse) {
   testing::paint_tag(canvas, *family, id, map);
   testing::blur(canvas, 0.7);
   FixedRandom random(1);
-  const auto found =
-      Detector({std::make_shared<const Decoder>(family)}).detect(testing::to_gray(canvas, 3, random));
+  const auto found = Detector({std::make_shared<const Decoder>(family)})
+                         .detect(testing::to_gray(canvas, 3, random));
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].id, id);
   EXPECT_TRUE(found[0].corner_covariance);

@@ -361,6 +361,8 @@ TEST(Detector, OneQuadIsOneTagWhateverTheFamiliesLookedFor) {
 
 TEST(Detector, ImpossibleArgumentsAreRefused) {
   const auto decoder = decoder_of(classic());
+  EXPECT_THROW(Detector({decoder}, {.min_log_odds = std::nan("")}), std::invalid_argument);
+  EXPECT_THROW(Detector({decoder}, {.lens = Camera{.fx = 0, .fy = 1}}), std::invalid_argument);
   EXPECT_THROW(Detector({}), std::invalid_argument);
   EXPECT_THROW(Detector({decoder, nullptr}), std::invalid_argument);
   EXPECT_THROW(Detector({decoder}, {.decimate = 0.5}), std::invalid_argument);

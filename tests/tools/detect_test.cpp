@@ -87,8 +87,9 @@ TEST(DetectProgram, SaysHowTrueCornersAndPosesAreUnlessToldNotToLook) {
   const ScratchFolder folder;
   render(folder, "a", {"tag36h11", "--count", "3", "--min-side", "50", "--noise", "2"});
   const auto first_tag = [&](const std::vector<std::string>& options) {
-    std::vector<std::string> words = {"detect", "--family", "tag36h11", "--format", "jsonl",
-                                      "--camera", "640,640,320,240", "--edge", "10cm"};
+    std::vector<std::string> words = {"detect",          "--family", "tag36h11",
+                                      "--format",        "jsonl",    "--camera",
+                                      "640,640,320,240", "--edge",   "10cm"};
     words.insert(words.end(), options.begin(), options.end());
     words.push_back(folder.file("a.png"));
     const ProgramResult result = tagmint(words);

@@ -18,8 +18,8 @@ using codec::CellPosition;
 constexpr double kOwnScatter = 0.15;
 /// Deviation where it is not there.
 constexpr double kOtherScatter = 0.55;
-/// Share of cells that something covers, and density of their values over black .. white and half as
-/// much again.
+/// Share of cells that something covers, and density of their values over black .. white and half
+/// as much again.
 constexpr double kCovered = 0.03;
 constexpr double kCoveredDensity = 0.25;
 /// Most that a neighbour gives.

@@ -13,10 +13,10 @@ struct PhotometricOptions {
   /// The lens through which straight sides look curved; without it they are taken for straight.
   std::optional<Camera> lens = {};
   bool inverted = false;  ///< the tag is printed with black for white
-  bool mirrored = false;  ///< the tag is printed left for right; corners are those of the picture of
-                          ///< an upright tag in the same place
-  /// Standard deviation of the picture's noise, gray levels, where it is known: a fit that is off by
-  /// much more is one of something else than a flat tag, such as of one that a lens curves.
+  bool mirrored = false;  ///< the tag is printed left for right; corners are those of the picture
+                          ///< of an upright tag in the same place
+  /// Standard deviation of the picture's noise, gray levels, where it is known: a fit that is off
+  /// by much more is one of something else than a flat tag, such as of one that a lens curves.
   std::optional<double> noise = {};
   /// Pixels looked at in a tag; of larger tags some are left out. Measured: docs/refinement.md.
   std::size_t most_pixels = 1500;
@@ -49,8 +49,8 @@ std::optional<PhotometricFit> refine_photometric(ImageView image, const codec::F
                                                  const PhotometricOptions& options,
                                                  PhotometricScratch& scratch);
 
-/// Gives a detection the corners that refine_photometric() finds, and what follows from them; leaves
-/// it as it is where there are none.
+/// Gives a detection the corners that refine_photometric() finds, and what follows from them;
+/// leaves it as it is where there are none.
 ///   returns   whether there were some
 bool refine_detection(ImageView image, Detection& detection, const PhotometricOptions& options,
                       PhotometricScratch& scratch);

@@ -110,8 +110,8 @@ void TagPattern::fill_surroundings() {
       for (int code = 0; code < kSide * kSide; ++code) {
         const int a = code % kSide;
         const int b = code / kSide;
-        const std::vector<std::uint32_t>& from = a == 0 ? (b == 0 ? code_ : code_y_)
-                                                        : (b == 0 ? code_x_ : code_xy_);
+        const std::vector<std::uint32_t>& from =
+            a == 0 ? (b == 0 ? code_ : code_y_) : (b == 0 ? code_x_ : code_xy_);
         around->words[code / kCodesPerWord] |= from[begin + a + b * step]
                                                << (4 * (code % kCodesPerWord));
       }

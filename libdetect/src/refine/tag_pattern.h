@@ -66,8 +66,8 @@ class TagPattern {
     return surroundings_[(first_y + 1) * (width_ + 2) + first_x + 1];
   }
 
-  /// Whether the outermost cells are known and of one colour, so that no edge is nearer to the tag's
-  /// outside than one cell.
+  /// Whether the outermost cells are known and of one colour, so that no edge is nearer to the
+  /// tag's outside than one cell.
   bool plain_rim() const;
 
   /// 0 <= x, y < width(): row-major index of a cell.
