@@ -75,12 +75,14 @@ double cell_evidence(const codec::Layout& layout, const Whiteness& cells, codec:
     const double c = colour[i];
     const double n = neighbours(i);
     const double v = cells.value[i];
+    if (c * v < 0) continue;  // a corrected error says nothing of light and blur
     s.cc += c * c;
     s.cn += c * n;
     s.nn += n * n;
     s.cv += c * v;
     s.nv += n * v;
   }
+  if (!(s.cc > 0)) return -kMostDoubt;
   const double determinant = s.cc * s.nn - s.cn * s.cn;
   double own = s.cv / s.cc;
   double blur = 0;

@@ -120,7 +120,7 @@ class Fit {
   bool step(std::size_t block_step);
   bool solve(PhotometricSums& sums);
   void move(PhotometricVector step);
-  bool agrees_better(const std::array<double, 8>& before) const;
+  bool agrees_better(const std::array<double, 8>& before);
   std::optional<PhotometricFit> result(const Corners& corners) const;
   std::optional<Corners> ideal_corners() const {
     return places_in_px(parameters_.to_cells, frame_, border_corners(scratch_.pattern));
@@ -316,12 +316,16 @@ bool Fit::step(std::size_t block_step) {
 }
 
 /// Whether the picture is nearer to the result than to the tag at `before`, both with the light,
-/// spread and tone of the result.
-bool Fit::agrees_better(const std::array<double, 8>& before) const {
+/// spread and tone of the result. Takes the variance at the result, where the last sums were from
+/// the place before it.
+bool Fit::agrees_better(const std::array<double, 8>& before) {
+  const PhotometricSums after = sums(parameters_, few(), false);
+  const auto pixels = static_cast<double>(scratch_.pixels.size());
+  variance_ = std::max(kLeastVariance, after.squared / std::max(1.0, after.weight) * pixels /
+                                           (pixels - kPhotometricParameters));
   PhotometricParameters old = parameters_;
   old.to_cells = before;
-  return sums(parameters_, few(), false).squared <=
-         sums(old, few(), false).squared + kChance * variance_;
+  return after.squared <= sums(old, few(), false).squared + kChance * variance_;
 }
 
 std::optional<PhotometricFit> Fit::result(const Corners& corners) const {
