@@ -246,8 +246,8 @@ TEST(DetectProgram, StatsGoToStderr) {
   const ProgramResult result =
       tagmint({"detect", "--family", "tag36h11", "--stats", folder.file("a.png")});
   EXPECT_NE(result.err.find("quads"), std::string::npos);
-  EXPECT_NE(result.err.find("fit_quads"), std::string::npos);
-  EXPECT_EQ(result.out.find("fit_quads"), std::string::npos);
+  EXPECT_NE(result.err.find("reconcile"), std::string::npos);
+  EXPECT_EQ(result.out.find("reconcile"), std::string::npos);
 }
 
 TEST(DetectProgram, RefusesNumbersOutOfRange) {
