@@ -46,6 +46,8 @@ void check_options(const DetectorOptions& o) {
   require(at_least(o.decode_sharpening, 0), "decode_sharpening", o.decode_sharpening, "at least 0");
   require(at_least(o.min_decision_margin, 0), "min_decision_margin", o.min_decision_margin,
           "at least 0");
+  require(std::isfinite(o.min_log_odds), "min_log_odds", o.min_log_odds, "finite");
+  if (o.lens) check_camera(*o.lens);
   require(o.threads >= 0, "threads", o.threads, "at least 0");
 }
 

@@ -38,17 +38,31 @@ QuadDecoding::QuadDecoding(Decoders decoders, const DetectorOptions& o)
                .harder = o.read_harder,
                .mirrored = o.report_mirrored} {}
 
-/// Counted once, by how far it came with any family.
-void QuadDecoding::decode_one(ImageView full, const Quad& quad, Worker& worker,
-                              std::span<std::optional<Detection>> found) {
+/// One quad with all families that may be in it; how far it came with any of them.
+DecodeOutcome QuadDecoding::read(const Quad& quad, const DecodeOptions& options,
+                                 DecodeScratch& scratch,
+                                 std::span<std::optional<Detection>> found) {
   DecodeOutcome farthest = DecodeOutcome::OutsideImage;
-  start_quad(full, quad, worker.decode);
   for (std::size_t i = 0; i < decoders_.size(); ++i) {
     const bool reversed = decoders_[i]->family()->layout().reversed_border();
     if (reversed != quad.reversed_border && !inverted_) continue;
-    DecodeResult result = decode_family(*decoders_[i], options_, worker.decode);
+    DecodeResult result = decode_family(*decoders_[i], options, scratch);
     farthest = std::max(farthest, result.outcome);
     found[i] = std::move(result.detection);
+  }
+  return farthest;
+}
+
+/// Read harder only where no family has a word near: what is a tag of one would cost all others
+/// their hardest reading. Counted once.
+void QuadDecoding::decode_one(ImageView full, const Quad& quad, Worker& worker,
+                              std::span<std::optional<Detection>> found) {
+  start_quad(full, quad, worker.decode);
+  DecodeOptions plain = options_;
+  plain.harder = false;
+  DecodeOutcome farthest = read(quad, plain, worker.decode, found);
+  if (options_.harder && farthest == DecodeOutcome::NoCodeword) {
+    farthest = read(quad, options_, worker.decode, found);
   }
   count(farthest, worker.stats);
 }

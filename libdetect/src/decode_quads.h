@@ -40,6 +40,8 @@ class QuadDecoding {
     DetectStats stats;
   };
 
+  DecodeOutcome read(const Quad& quad, const DecodeOptions& options, DecodeScratch& scratch,
+                     std::span<std::optional<Detection>> found);
   void decode_one(ImageView full, const Quad& quad, Worker& worker,
                   std::span<std::optional<Detection>> found);
 

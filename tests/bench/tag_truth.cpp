@@ -152,11 +152,12 @@ void print_row(const std::string& kind, const std::string& who, const Tally& tal
   const auto n = static_cast<double>(std::max<std::size_t>(1, tally.found.size()));
   double mean_normalised = 0;
   for (const double v : normalised) mean_normalised += v / static_cast<double>(normalised.size());
-  fmt::print("| {} | {} | {:.1f} % | {:.4f} | {:.4f} | {:+.4f} | {:+.3f} % | {:.2f} / {:.2f} | {:.0f} % |\n",
-             kind, who, 100.0 * static_cast<double>(tally.found.size()) / tally.tags,
-             quantile(errors, 0.5), quantile(errors, 0.95), radial / (4 * n), 100 * log_side / n,
-             mean_normalised, quantile(normalised, 0.5),
-             100 * static_cast<double>(normalised.size()) / n);
+  fmt::print(
+      "| {} | {} | {:.1f} % | {:.4f} | {:.4f} | {:+.4f} | {:+.3f} % | {:.2f} / {:.2f} | {:.0f} % "
+      "|\n",
+      kind, who, 100.0 * static_cast<double>(tally.found.size()) / tally.tags,
+      quantile(errors, 0.5), quantile(errors, 0.95), radial / (4 * n), 100 * log_side / n,
+      mean_normalised, quantile(normalised, 0.5), 100 * static_cast<double>(normalised.size()) / n);
   std::fflush(stdout);
 }
 
@@ -194,8 +195,8 @@ void print_parameters(const Picture& picture, const std::vector<detect::Detectio
   double tone = 0, tails = 0, spread = 0, black = 0, contrast = 0, noise = 0, pixels = 0;
   int n = 0;
   for (const detect::Detection& tag : tags) {
-    const auto fit = detect::refine_photometric(picture.image, *tag.family, tag.id, tag.corners,
-                                                {}, scratch);
+    const auto fit =
+        detect::refine_photometric(picture.image, *tag.family, tag.id, tag.corners, {}, scratch);
     if (!fit) continue;
     ++n;
     tone += fit->parameters.tone;
@@ -206,8 +207,10 @@ void print_parameters(const Picture& picture, const std::vector<detect::Detectio
     noise += fit->noise;
     pixels += static_cast<double>(scratch.pixels.size());
   }
-  fmt::print("  tone {:.4f}, tails {:.3f}, spread {:.4f} px, black {:.2f}, contrast {:.2f}, noise {:.3f}, pixels {:.0f}\n",
-             tone / n, tails / n, spread / n, black / n, contrast / n, noise / n, pixels / n);
+  fmt::print(
+      "  tone {:.4f}, tails {:.3f}, spread {:.4f} px, black {:.2f}, contrast {:.2f}, noise {:.3f}, "
+      "pixels {:.0f}\n",
+      tone / n, tails / n, spread / n, black / n, contrast / n, noise / n, pixels / n);
 }
 
 /// Microseconds of this thread a tag, the least of several rounds over the tags of a picture.
@@ -227,8 +230,7 @@ double microseconds_a_tag(const Picture& picture, const std::vector<detect::Dete
 }
 
 void measure(const Kind& kind, int scenes, bool peers) {
-  const auto decoder =
-      std::make_shared<const codec::Decoder>(codec::find_family(kind.family));
+  const auto decoder = std::make_shared<const codec::Decoder>(codec::find_family(kind.family));
   detect::DetectorOptions plain;
   plain.refine_photometric = false;
   detect::Detector ours({decoder});
@@ -305,8 +307,10 @@ std::vector<Kind> kinds() {
 int main(int count, char** words) {
   const int scenes = count > 1 ? std::atoi(words[1]) : 6;
   const std::string only = count > 2 ? words[2] : "";
-  fmt::print("| scenes | corners from | found | median px | 95 % px | radial px | side | normalised error squared: mean / median | refined |\n"
-             "|---|---|---|---|---|---|---|---|---|\n");
+  fmt::print(
+      "| scenes | corners from | found | median px | 95 % px | radial px | side | normalised error "
+      "squared: mean / median | refined |\n"
+      "|---|---|---|---|---|---|---|---|---|\n");
   for (const tagmint::Kind& kind : tagmint::kinds()) {
     if (kind.name.find(only) != std::string::npos) tagmint::measure(kind, scenes, true);
   }

@@ -21,20 +21,26 @@ using testing::FixedRandom;
 
 Quad quad_of(const Corners& corners, bool reversed = false) { return {corners, reversed}; }
 
-/// How many of 60 tags of 36h11 are read, 40 px wide, with the picture blurred.
+/// One for all tests: its table takes a while.
+const Decoder& decoder_of_36h11() {
+  static const Decoder decoder(codec::find_family("tag36h11"));
+  return decoder;
+}
+
+/// How many of 40 tags of 36h11 are read, 40 px wide, with the picture blurred.
 int read_through_blur(double sigma_px, bool harder) {
-  const Decoder decoder(codec::find_family("tag36h11"));
+  const Decoder& decoder = decoder_of_36h11();
   DecodeScratch scratch;
   int read = 0;
-  for (codec::TagId id = 0; id < 60; ++id) {
+  for (codec::TagId id = 0; id < 40; ++id) {
     FixedRandom random(id);
     Canvas canvas(90, 90, 130);
     const auto map = testing::square_at({45, 45}, 40, random.real(0, 6.28));
     testing::paint_tag(canvas, *decoder.family(), id, map);
     testing::blur(canvas, sigma_px);
     const Image image = testing::to_gray(canvas, 2, random);
-    const DecodeResult result = decode_quad(image, quad_of(testing::corners_of(map)), decoder,
-                                            {.harder = harder}, scratch);
+    const DecodeResult result =
+        decode_quad(image, quad_of(testing::corners_of(map)), decoder, {.harder = harder}, scratch);
     if (!result.detection) continue;
     EXPECT_EQ(result.detection->id, id);
     ++read;
@@ -43,13 +49,14 @@ int read_through_blur(double sigma_px, bool harder) {
 }
 
 TEST(DecodeHard, DeconvolutionReadsThroughBlur) {
-  EXPECT_GE(read_through_blur(2, true), 59);
-  EXPECT_GE(read_through_blur(3, true), 40);
-  EXPECT_LT(read_through_blur(3, false), 20);  // what it adds
+  EXPECT_GE(read_through_blur(2, true), 39);
+  const int through_three = read_through_blur(3, true);
+  EXPECT_GE(through_three, 30);
+  EXPECT_LT(read_through_blur(3, false), through_three);  // what it adds
 }
 
 TEST(DecodeHard, AHardShadowAcrossTheTagIsReadThrough) {
-  const Decoder decoder(codec::find_family("tag36h11"));
+  const Decoder& decoder = decoder_of_36h11();
   DecodeScratch scratch;
   int read = 0, plain = 0;
   for (codec::TagId id = 0; id < 40; ++id) {
@@ -82,9 +89,8 @@ std::vector<Detection> detect_print(bool inverted, bool mirrored, const Detector
   Canvas canvas(170, 160, 130);
   const auto map = testing::square_at({84.2, 79.1}, 62, 0.35);
   const auto& h = map.row_major();
-  const Homography seen = mirrored ? Homography({-h[0], h[1], h[2], -h[3], h[4], h[5], -h[6], h[7],
-                                                 h[8]})
-                                   : map;
+  const Homography seen =
+      mirrored ? Homography({-h[0], h[1], h[2], -h[3], h[4], h[5], -h[6], h[7], h[8]}) : map;
   testing::Ink ink;
   if (inverted) std::swap(ink.black, ink.white);
   testing::paint_tag(canvas, *family, 6, seen, ink);
@@ -157,8 +163,8 @@ TEST(Evidence, TellsATagFromGraysInABorder) {
     if (!match) continue;
     const codec::Codeword seen =
         codec::rotate(family->codeword(match->id), family->bits(), 4 - match->rotation);
-    const double odds = log_odds(
-        *family, match->hamming, cell_evidence(layout, cells, seen, {}, 0.1, colours), 1);
+    const double odds =
+        log_odds(*family, match->hamming, cell_evidence(layout, cells, seen, {}, 0.1, colours), 1);
     if (is_tag) {
       ++tags;
       tags_believed += odds > 0;
@@ -216,9 +222,9 @@ TEST(NestedTags, AreBothReported) {
   testing::blur(canvas, 0.7);
   FixedRandom random(1);
   const Image image = testing::to_gray(canvas, 2, random);
-  const auto found = Detector({std::make_shared<const Decoder>(host),
-                               std::make_shared<const Decoder>(guest)})
-                         .detect(image);
+  const auto found =
+      Detector({std::make_shared<const Decoder>(host), std::make_shared<const Decoder>(guest)})
+          .detect(image);
   ASSERT_EQ(found.size(), 2U);
   EXPECT_EQ(found[0].id, 33U);
   EXPECT_EQ(found[1].id, 9U);
@@ -233,8 +239,8 @@ TEST(LargeFamilies, OfMillionsOfTagsAreFoundWithAllElse) {
   testing::paint_tag(canvas, *family, id, map);
   testing::blur(canvas, 0.7);
   FixedRandom random(1);
-  const auto found =
-      Detector({std::make_shared<const Decoder>(family)}).detect(testing::to_gray(canvas, 3, random));
+  const auto found = Detector({std::make_shared<const Decoder>(family)})
+                         .detect(testing::to_gray(canvas, 3, random));
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].id, id);
   EXPECT_TRUE(found[0].corner_covariance);

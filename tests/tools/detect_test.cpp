@@ -84,6 +84,34 @@ TEST(DetectProgram, FindsWhatRenderDrewIdsCornersAndPoses) {
   EXPECT_LT(errors[errors.size() / 2], 0.1);
 }
 
+TEST(DetectProgram, SaysHowTrueCornersAndPosesAreUnlessToldNotToLook) {
+  const ScratchFolder folder;
+  render(folder, "a", {"tag36h11", "--count", "3", "--min-side", "50", "--noise", "2"});
+  const auto first_tag = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> words = {"detect",          "--family", "tag36h11",
+                                      "--format",        "jsonl",    "--camera",
+                                      "640,640,320,240", "--edge",   "10cm"};
+    words.insert(words.end(), options.begin(), options.end());
+    words.push_back(folder.file("a.png"));
+    const ProgramResult result = tagmint(words);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return lines_of(result.out).at(0).at("detections").at(0);
+  };
+  const Json full = first_tag({});
+  EXPECT_EQ(full.at("corner_covariance").size(), 64U);
+  EXPECT_EQ(full.at("pose").at("covariance").size(), 36U);
+  EXPECT_TRUE(full.contains("pose_ambiguous"));
+  EXPECT_GT(full.at("log_odds").get<double>(), 10);
+  EXPECT_FALSE(full.contains("mirrored"));
+  for (const char* option : {"--no-photometric", "--no-refine"}) {
+    const Json plain = first_tag({option});
+    EXPECT_FALSE(plain.contains("corner_covariance")) << option;
+    EXPECT_FALSE(plain.at("pose").contains("covariance")) << option;
+    EXPECT_EQ(plain.at("id"), full.at("id"));
+  }
+  EXPECT_EQ(first_tag({"--unusual-prints"}).at("id"), full.at("id"));
+}
+
 TEST(DetectProgram, AnswersInTheOrderOfTheArgumentsWhateverTheThreads) {
   const ScratchFolder folder;
   std::vector<std::string> words = {"detect", "--family", "tag16h5", "--format", "jsonl"};

@@ -44,7 +44,8 @@ std::string json_pose(const Pose& pose) {
   std::string json = fmt::format(R"({{"R":[{}],"t":[{}],"error":{})", numbers(pose.R),
                                  numbers(pose.t), number(pose.error));
   if (pose.chi_squared) json += fmt::format(R"(,"chi_squared":{})", number(*pose.chi_squared));
-  if (pose.covariance) json += fmt::format(R"(,"covariance":[{}])", rough_numbers(*pose.covariance));
+  if (pose.covariance)
+    json += fmt::format(R"(,"covariance":[{}])", rough_numbers(*pose.covariance));
   json += '}';
   return json;
 }

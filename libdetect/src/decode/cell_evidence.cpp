@@ -18,8 +18,8 @@ using codec::CellPosition;
 constexpr double kOwnScatter = 0.15;
 /// Deviation where it is not there.
 constexpr double kOtherScatter = 0.55;
-/// Share of cells that something covers, and density of their values over black .. white and half as
-/// much again.
+/// Share of cells that something covers, and density of their values over black .. white and half
+/// as much again.
 constexpr double kCovered = 0.03;
 constexpr double kCoveredDensity = 0.25;
 /// Most that a neighbour gives.
@@ -75,12 +75,14 @@ double cell_evidence(const codec::Layout& layout, const Whiteness& cells, codec:
     const double c = colour[i];
     const double n = neighbours(i);
     const double v = cells.value[i];
+    if (c * v < 0) continue;  // a corrected error says nothing of light and blur
     s.cc += c * c;
     s.cn += c * n;
     s.nn += n * n;
     s.cv += c * v;
     s.nv += n * v;
   }
+  if (!(s.cc > 0)) return -kMostDoubt;
   const double determinant = s.cc * s.nn - s.cn * s.cn;
   double own = s.cv / s.cc;
   double blur = 0;

@@ -9,8 +9,8 @@ namespace tagmint::detect {
 /// something else, natural logarithm (docs/refinement.md).
 ///
 /// Where the tag is there, a cell's value is that of its colour, drawn together by blur with its
-/// neighbours, and off by as much as the rings are off their planes; now and then a cell is covered.
-/// Where it is not, values between black and white are as common as black and white.
+/// neighbours, and off by as much as the rings are off their planes; now and then a cell is
+/// covered. Where it is not, values between black and white are as common as black and white.
 ///   word       of the tag as it is seen: turned to the quad
 ///   scatter    of the rings, in units of the values
 ///   colours    scratch

@@ -17,7 +17,8 @@ void blur_cells(const std::vector<float>& cells, int width, float share, std::ve
   for (int y = 0; y < width; ++y) {
     const float* from = cells.data() + y * width;
     float* to = rows.data() + y * width;
-    for (int x = 1; x + 1 < width; ++x) to[x] = middle * from[x] + share * (from[x - 1] + from[x + 1]);
+    for (int x = 1; x + 1 < width; ++x)
+      to[x] = middle * from[x] + share * (from[x - 1] + from[x + 1]);
     const int last = width - 1;
     to[0] = (1 - share) * from[0] + share * from[std::min(1, last)];
     to[last] = (1 - share) * from[last] + share * from[std::max(0, last - 1)];
@@ -33,9 +34,10 @@ void blur_cells(const std::vector<float>& cells, int width, float share, std::ve
 
 }  // namespace
 
-void deconvolve(const CellGrid& grid, const Whiteness& read, double share, DeconvolveScratch& scratch,
-                Whiteness& sharp) {
-  // Rings beside each other gray each other, so that full black and white lie beyond what they show.
+void deconvolve(const CellGrid& grid, const Whiteness& read, double share,
+                DeconvolveScratch& scratch, Whiteness& sharp) {
+  // Rings beside each other gray each other, so that full black and white lie beyond what they
+  // show.
   const auto full = static_cast<float>(1 + 2 * share);
   const int width = grid.geometry().width;
   sharp = read;

@@ -16,14 +16,15 @@ struct DeconvolveScratch {
   std::vector<float> rows, blurred, weight;
 };
 
-/// Takes blur out of the cells of a tag, of which the rings at the border square are known: cells of
-/// value +-1 blurred by (share, 1 - 2 share, share) along both axes are to give what was read. Steps
-/// against the difference, each cell held between black and white [VanCittert1931].
+/// Takes blur out of the cells of a tag, of which the rings at the border square are known: cells
+/// of value +-1 blurred by (share, 1 - 2 share, share) along both axes are to give what was read.
+/// Steps against the difference, each cell held between black and white [VanCittert1931].
 ///   read    cells of the quad
 ///   share   below 1/2
 ///   sharp   takes the cells without blur, known rings at their colours
 ///   cost    kDeconvolutionSteps passes over the cells
-void deconvolve(const CellGrid& grid, const Whiteness& read, double share, DeconvolveScratch& scratch, Whiteness& sharp);
+void deconvolve(const CellGrid& grid, const Whiteness& read, double share,
+                DeconvolveScratch& scratch, Whiteness& sharp);
 
 inline constexpr int kDeconvolutionSteps = 14;
 

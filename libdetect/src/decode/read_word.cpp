@@ -42,13 +42,13 @@ bool take(const CellGrid& grid, const Layout& layout, Whiteness& cells,
 }
 
 /// Gray value below which `share` of a ring's cells lie.
-double quantile_of_ring(const CellGrid& grid, int which, double share,
-                        std::vector<double>& grays) {
+double quantile_of_ring(const CellGrid& grid, int which, double share, std::vector<double>& grays) {
   grays.clear();
   for (const int cell : grid.ring(which)) {
     if (grid.is_read(cell)) grays.push_back(grid.gray(cell));
   }
-  const auto at = grays.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(grays.size() - 1));
+  const auto at =
+      grays.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(grays.size() - 1));
   std::nth_element(grays.begin(), at, grays.end());
   return *at;
 }

@@ -16,8 +16,8 @@ struct Print {
   bool mirrored = false;  ///< left is right
 };
 
-/// How white the cells of a quad are on a scale on which black is -1 and white is 1; by the cells of
-/// the upright quad, row-major.
+/// How white the cells of a quad are on a scale on which black is -1 and white is 1; by the cells
+/// of the upright quad, row-major.
 struct Whiteness {
   std::vector<float> value;
   std::vector<std::uint8_t> known;  ///< cells in the image that the layout prints

@@ -20,7 +20,8 @@ struct Recognised {
   codec::Match match;
   Reading reading;
   Print print;
-  int tries = 0;  ///< readings that were looked up until then
+  const Whiteness* cells = nullptr;  ///< that it was read from; in the scratch
+  int tries = 0;                     ///< readings that were looked up until then
 };
 
 /// The rings that the current quad shows for a geometry, read when first asked for.
@@ -79,7 +80,7 @@ class Reader {
     const Reading reading = read_word(layout_, cells, sharpening, print_);
     const std::optional<codec::Match> match = decoder_.decode(reading.word);
     if (!match) return std::nullopt;
-    return Recognised{*match, reading, print_, tries_};
+    return Recognised{*match, reading, print_, &cells, tries_};
   }
 
   const codec::Decoder& decoder_;
@@ -119,13 +120,10 @@ Detection make_detection(const codec::Decoder& decoder, const Recognised& found,
   detection.decision_margin = found.reading.decision_margin;
   place(found, scratch.quad.corners, *scratch.tag_to_image, detection);
   // The codeword as the quad shows it, turned back.
-  const codec::Codeword seen =
-      codec::rotate(decoder.family()->codeword(found.match.id), decoder.family()->bits(),
-                    4 - found.match.rotation);
-  const Whiteness& cells = found.tries == 1 ? scratch.read : scratch.harder;
-  const double evidence =
-      cell_evidence(decoder.family()->layout(), cells, seen, found.print,
-                    2 * grid.ring_scatter() / grid.contrast(), scratch.colours);
+  const codec::Codeword seen = codec::rotate(decoder.family()->codeword(found.match.id),
+                                             decoder.family()->bits(), 4 - found.match.rotation);
+  const double evidence = cell_evidence(decoder.family()->layout(), *found.cells, seen, found.print,
+                                        2 * grid.ring_scatter() / grid.contrast(), scratch.colours);
   detection.log_odds = log_odds(*decoder.family(), found.match.hamming, evidence, found.tries);
   detection.margin_to_noise =
       detection.decision_margin / std::max(kLeastNoise, grid.ring_scatter());
@@ -149,8 +147,7 @@ DecodeResult decode_family(const codec::Decoder& decoder, const DecodeOptions& o
   if (grid.outcome() == BorderOutcome::OutsideImage) return {DecodeOutcome::OutsideImage, {}};
   if (grid.outcome() == BorderOutcome::NoContrast) return {DecodeOutcome::NoContrast, {}};
   if (!whiteness_by_planes(grid, layout, scratch.read)) return {DecodeOutcome::OutsideImage, {}};
-  const std::optional<Recognised> found =
-      Reader(decoder, grid, options, scratch).recognise();
+  const std::optional<Recognised> found = Reader(decoder, grid, options, scratch).recognise();
   if (!found) return {DecodeOutcome::NoCodeword, {}};
   Detection detection = make_detection(decoder, *found, grid, scratch);
   if (detection.decision_margin < options.min_decision_margin ||

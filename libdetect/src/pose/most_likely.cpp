@@ -74,8 +74,8 @@ std::optional<SeenCorners> seen_corners(const Corners& normalised,
     to_pixel << dx.x, dy.x, dx.y, dy.y;
     to_plane.block<2, 2>(2 * i, 2 * i) = (to_pixel / (2 * kStep)).inverse();
   }
-  const Matrix8 in_px = Eigen::Map<const Eigen::Matrix<double, 8, 8, Eigen::RowMajor>>(
-      covariance.data());
+  const Matrix8 in_px =
+      Eigen::Map<const Eigen::Matrix<double, 8, 8, Eigen::RowMajor>>(covariance.data());
   const Matrix8 on_plane = to_plane * in_px * to_plane.transpose();
   const Eigen::LLT<Matrix8> factor(on_plane);
   if (factor.info() != Eigen::Success) return std::nullopt;

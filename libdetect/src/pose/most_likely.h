@@ -39,7 +39,8 @@ struct LikelyPose {
 /// The minimum of the corners' weighted squared reprojection error that is reached from `start`:
 /// Levenberg's steps, which never let it grow.
 ///   edge_m    side of the border square
-///   returns   nothing when a corner comes to lie behind the camera, or the tag is seen so badly that
+///   returns   nothing when a corner comes to lie behind the camera, or the tag is seen so badly
+///   that
 ///             some direction of the pose is not determined
 ///   cost      some microseconds
 std::optional<LikelyPose> most_likely_pose(const SeenCorners& seen, double edge_m,

@@ -98,9 +98,8 @@ HWY_ATTR std::size_t choose_in_row(const RowChoice& c, const RowPixels& row,
   for (int k = 0; k < row.count; k += lanes) {
     const auto column =
         hn::Add(hn::Mul(hn::Iota(di, k), hn::Set(di, row.step)), hn::Set(di, row.x0));
-    const V x =
-        hn::Mul(hn::Sub(hn::Add(hn::ConvertTo(d, column), set(0.5F)), set(c.origin_x)),
-                set(c.per_scale));
+    const V x = hn::Mul(hn::Sub(hn::Add(hn::ConvertTo(d, column), set(0.5F)), set(c.origin_x)),
+                        set(c.per_scale));
     const V w = hn::Div(one, mul_add(x, set(g[6]), w_row));
     const V u = hn::Mul(mul_add(x, set(g[0]), u_row), w);
     const V v = hn::Mul(mul_add(x, set(g[3]), v_row), w);
@@ -110,8 +109,8 @@ HWY_ATTR std::size_t choose_in_row(const RowChoice& c, const RowPixels& row,
     const V in_y = hn::Sub(v, cell_y);
     auto wanted = hn::And(hn::And(hn::Ge(in_x, zero), hn::Le(in_x, one)),
                           hn::And(hn::Ge(in_y, zero), hn::Le(in_y, one)));
-    wanted = hn::And(wanted, hn::Lt(hn::ConvertTo(d, hn::Iota(di, k)),
-                                    set(static_cast<float>(row.count))));
+    wanted = hn::And(wanted,
+                     hn::Lt(hn::ConvertTo(d, hn::Iota(di, k)), set(static_cast<float>(row.count))));
     if (hn::AllFalse(d, wanted)) continue;
     const auto index = hn::ConvertTo(di, mul_add(cell_y, set(static_cast<float>(c.width)), cell_x));
     const auto flags = hn::GatherIndex(di, c.flags, index);
@@ -122,21 +121,20 @@ HWY_ATTR std::size_t choose_in_row(const RowChoice& c, const RowPixels& row,
     const V right = hn::Sub(set(c.across_x), left);
     const V up = hn::Mul(in_y, set(c.across_y));
     const V down = hn::Sub(set(c.across_y), up);
-    const auto nearest = [&](std::int32_t l, std::int32_t r, std::int32_t a, std::int32_t b)
-                             HWY_ATTR {
-                               return hn::Min(hn::Min(hn::IfThenElse(has(l), left, none),
-                                                      hn::IfThenElse(has(r), right, none)),
-                                              hn::Min(hn::IfThenElse(has(a), up, none),
-                                                      hn::IfThenElse(has(b), down, none)));
-                             };
+    const auto nearest = [&](std::int32_t l, std::int32_t r, std::int32_t a,
+                             std::int32_t b) HWY_ATTR {
+      return hn::Min(
+          hn::Min(hn::IfThenElse(has(l), left, none), hn::IfThenElse(has(r), right, none)),
+          hn::Min(hn::IfThenElse(has(a), up, none), hn::IfThenElse(has(b), down, none)));
+    };
     const V change = nearest(TagPattern::kChangeLeft, TagPattern::kChangeRight,
                              TagPattern::kChangeUp, TagPattern::kChangeDown);
     wanted = hn::And(wanted, hn::Le(change, set(c.near_px)));
     if (hn::AllFalse(d, wanted)) continue;
     const V unknown = nearest(TagPattern::kUnknownLeft, TagPattern::kUnknownRight,
                               TagPattern::kUnknownUp, TagPattern::kUnknownDown);
-    const V share = hn::Mul(share_beyond(hn::Mul(unknown, set(c.per_spread))),
-                            set(1 / kUnknownShare));
+    const V share =
+        hn::Mul(share_beyond(hn::Mul(unknown, set(c.per_spread))), set(1 / kUnknownShare));
     const V weight = hn::Div(one, mul_add(share, share, one));
 
     const V line_x = hn::Add(cell_x, first_line(in_x, c));
@@ -232,8 +230,8 @@ class RegionRows {
     }
   }
 
-  /// Pixels of row y whose centres lie in the region, one in `step`; rows begin in different places,
-  /// so that no direction of edges is left out.
+  /// Pixels of row y whose centres lie in the region, one in `step`; rows begin in different
+  /// places, so that no direction of edges is left out.
   RowPixels row(int y) const {
     const double middle = y + 0.5;
     double left = width_;
@@ -285,10 +283,10 @@ void choose_pixels(ImageView image, const TagPattern& pattern, const PixelChoice
   row_choice.near_px = static_cast<float>(choice.near_px);
   row_choice.per_spread = static_cast<float>(1 / choice.spread_px);
   row_choice.last_cell = static_cast<float>(pattern.width() - 1);
-  row_choice.across_x =
-      static_cast<float>(choice.frame.scale_px / std::hypot(choice.to_cells[0], choice.to_cells[1]));
-  row_choice.across_y =
-      static_cast<float>(choice.frame.scale_px / std::hypot(choice.to_cells[3], choice.to_cells[4]));
+  row_choice.across_x = static_cast<float>(choice.frame.scale_px /
+                                           std::hypot(choice.to_cells[0], choice.to_cells[1]));
+  row_choice.across_y = static_cast<float>(choice.frame.scale_px /
+                                           std::hypot(choice.to_cells[3], choice.to_cells[4]));
   row_choice.edges = pattern.edges();
   row_choice.flags = pattern.flags().data();
   row_choice.width = pattern.width();
@@ -307,8 +305,8 @@ void choose_pixels(ImageView image, const TagPattern& pattern, const PixelChoice
       const std::size_t at = pixels.size() + i;
       pixels.y[at] = row_choice.y;
       pixels.gray[at] = grays[columns[i]];
-      const CellSurroundings& around = pattern.surroundings(
-          static_cast<int>(pixels.line_x[at]), static_cast<int>(pixels.line_y[at]));
+      const CellSurroundings& around = pattern.surroundings(static_cast<int>(pixels.line_x[at]),
+                                                            static_cast<int>(pixels.line_y[at]));
       for (int k = 0; k < words; ++k) pixels.pattern[k][at] = around.words[k];
     }
     pixels.grow(chosen);

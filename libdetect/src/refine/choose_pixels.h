@@ -22,8 +22,8 @@ struct TagFrame {
 struct PixelChoice {
   TagFrame frame;
   std::array<double, 8> to_cells{};  ///< as PhotometricParameters::to_cells
-  /// How far from a grid line where the colour changes a pixel may lie, px; cells are taken to be as
-  /// wide everywhere as in the tag's middle.
+  /// How far from a grid line where the colour changes a pixel may lie, px; cells are taken to be
+  /// as wide everywhere as in the tag's middle.
   double near_px = 1.7;
   /// Standard deviation of the point-spread, px; pixels into which cells of unknown colour reach
   /// count less.

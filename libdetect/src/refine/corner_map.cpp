@@ -89,10 +89,10 @@ Matrix8 lens_jacobian(const std::optional<Camera>& lens, const Corners& ideal_co
   constexpr double kStep_px = 1e-3;
   for (int i = 0; i < 4; ++i) {
     const Point p = ideal_corners[i];
-    const Point dx = to_image_px(lens, p + Point{kStep_px, 0}) -
-                     to_image_px(lens, p - Point{kStep_px, 0});
-    const Point dy = to_image_px(lens, p + Point{0, kStep_px}) -
-                     to_image_px(lens, p - Point{0, kStep_px});
+    const Point dx =
+        to_image_px(lens, p + Point{kStep_px, 0}) - to_image_px(lens, p - Point{kStep_px, 0});
+    const Point dy =
+        to_image_px(lens, p + Point{0, kStep_px}) - to_image_px(lens, p - Point{0, kStep_px});
     jacobian.block<2, 2>(2 * i, 2 * i) << dx.x, dy.x, dx.y, dy.y;
     jacobian.block<2, 2>(2 * i, 2 * i) /= 2 * kStep_px;
   }

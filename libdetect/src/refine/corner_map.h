@@ -26,8 +26,8 @@ std::optional<std::array<double, 8>> map_to_cells(const Corners& ideal_corners,
 std::optional<Corners> places_in_px(const std::array<double, 8>& to_cells, const TagFrame& frame,
                                     const std::array<Point, 4>& cells);
 
-/// The corners of the border square, and of the whole tag less `inset` cells on all sides, in cells;
-/// order of kTagCorners.
+/// The corners of the border square, and of the whole tag less `inset` cells on all sides, in
+/// cells; order of kTagCorners.
 std::array<Point, 4> border_corners(const TagPattern& pattern);
 std::array<Point, 4> outer_corners(const TagPattern& pattern, double inset = 0);
 

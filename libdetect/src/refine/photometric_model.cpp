@@ -13,8 +13,8 @@ int mixed_difference(const CellSurroundings& around, int code) {
   return static_cast<int>((bits & 0xf) ^ 8) - 8;
 }
 
-/// P_0 .. P_edges at a place, and their derivatives by the place (in cells), by ln of the spread and by
-/// tails.
+/// P_0 .. P_edges at a place, and their derivatives by the place (in cells), by ln of the spread
+/// and by tails.
 struct EdgeRow {
   std::array<double, kSmallCells + 1> share{1};
   std::array<double, kSmallCells + 1> by_place{};
@@ -47,7 +47,8 @@ struct Whiteness {
 };
 
 ///   per_x, per_y   standard deviations from one grid line to the next
-///   cosine         where the grid lines are not at right angles, blur across x goes with blur across
+///   cosine         where the grid lines are not at right angles, blur across x goes with blur
+///   across
 ///                  y: two terms of the series of the bivariate normal integral in it
 Whiteness mix(const CellSurroundings& around, int edges, const EdgeRow& x, const EdgeRow& y,
               double per_x, double per_y, double cosine) {
@@ -64,8 +65,8 @@ Whiteness mix(const CellSurroundings& around, int edges, const EdgeRow& x, const
       sum.by_tails += m * (x.by_tails[a] * y.share[b] + x.share[a] * y.by_tails[b]);
       const double density_x = x.by_place[a] / per_x;
       const double density_y = y.by_place[b] / per_y;
-      sum.share += m * cosine *
-                   (density_x * density_y + cosine / 2 * x.by_spread[a] * y.by_spread[b]);
+      sum.share +=
+          m * cosine * (density_x * density_y + cosine / 2 * x.by_spread[a] * y.by_spread[b]);
       sum.by_x += m * cosine * per_x * x.by_spread[a] * density_y;
       sum.by_y += m * cosine * per_y * density_x * y.by_spread[b];
     }
@@ -99,10 +100,10 @@ PhotometricPrediction predict(const TagPattern& pattern, const PhotometricPixel&
   const int edges = pattern.edges();
   const double per_x = pixel.across_x * per_px;
   const double per_y = pixel.across_y * per_px;
-  const Whiteness white = mix(
-      pattern.surroundings(pixel.line_x, pixel.line_y), edges,
-      edges_around(u - pixel.line_x, per_x, parameters.tails, edges),
-      edges_around(v - pixel.line_y, per_y, parameters.tails, edges), per_x, per_y, pixel.cosine);
+  const Whiteness white = mix(pattern.surroundings(pixel.line_x, pixel.line_y), edges,
+                              edges_around(u - pixel.line_x, per_x, parameters.tails, edges),
+                              edges_around(v - pixel.line_y, per_y, parameters.tails, edges), per_x,
+                              per_y, pixel.cosine);
 
   const double t = white.share;
   const double toned = t + parameters.tone * t * (1 - t);

@@ -15,9 +15,10 @@ struct PhotometricParameters {
   double contrast = 1;  ///< gray level of white there, less `black`
   double light_x = 0;   ///< light falls off as 1 + light_x x + light_y y over the frame
   double light_y = 0;
-  double log_spread = 0;  ///< ln of the point-spread's standard deviation in px, pixel area included
-  double tails = 0;       ///< shape of the point-spread, see edge_profile()
-  double tone = 0;        ///< share t of white appears as t + tone t (1 - t)
+  double log_spread =
+      0;             ///< ln of the point-spread's standard deviation in px, pixel area included
+  double tails = 0;  ///< shape of the point-spread, see edge_profile()
+  double tone = 0;   ///< share t of white appears as t + tone t (1 - t)
 };
 
 /// Places of the parameters in vectors and matrices: 0..7 to_cells, then

@@ -8,8 +8,8 @@ void PhotometricPixels::reset(std::size_t most) {
   const std::size_t room = (most + 2 * kPixelBlock - 1) / kPixelBlock * kPixelBlock + kPixelBlock;
   size_ = 0;
   if (x.size() >= room) return;
-  for (std::vector<float>* values : {&x, &y, &gray, &line_x, &line_y, &across_x, &across_y, &cosine,
-                                     &weight}) {
+  for (std::vector<float>* values :
+       {&x, &y, &gray, &line_x, &line_y, &across_x, &across_y, &cosine, &weight}) {
     values->resize(room);
   }
   for (std::vector<std::uint32_t>& words : pattern) words.resize(room);

@@ -9,15 +9,16 @@
 
 namespace tagmint::detect {
 
-/// Pixels are worked on in blocks of so many, whatever the vectors of the machine, so that sums come
-/// out the same everywhere.
+/// Pixels are worked on in blocks of so many, whatever the vectors of the machine, so that sums
+/// come out the same everywhere.
 inline constexpr int kPixelBlock = 16;
 
 /// Pixels that take part in a fit, one array a quantity (PhotometricPixel says what they mean),
 /// padded to whole blocks with pixels of no weight.
 class PhotometricPixels {
  public:
-  /// Forgets all pixels and makes room for `most`, which is rounded up to whole blocks and one more.
+  /// Forgets all pixels and makes room for `most`, which is rounded up to whole blocks and one
+  /// more.
   void reset(std::size_t most);
 
   /// How many pixels there are, and how many blocks they fill once padded.

@@ -151,9 +151,8 @@ HWY_ATTR HWY_INLINE V mixed_difference(const Words& words) {
   const Floats d;
   constexpr int kWord = kCode / kCodesPerWord;
   constexpr int kUp = 28 - 4 * (kCode % kCodesPerWord);
-  const auto signed_bits = [](hn::Vec<Ints> word) HWY_ATTR {
-    return hn::ShiftRight<28>(hn::ShiftLeft<kUp>(word));
-  };
+  const auto signed_bits = [](hn::Vec<Ints> word)
+                               HWY_ATTR { return hn::ShiftRight<28>(hn::ShiftLeft<kUp>(word)); };
   if constexpr (kWord == 0) return hn::ConvertTo(d, signed_bits(words.first));
   if constexpr (kWord == 1) return hn::ConvertTo(d, signed_bits(words.second));
   if constexpr (kWord == 2) return hn::ConvertTo(d, signed_bits(words.third));
@@ -217,8 +216,7 @@ struct Whiteness {
 
 HWY_ATTR HWY_INLINE Whiteness whiteness(const Mixture& m, V per_x, V per_y, V cosine) {
   const V half_cosine = hn::Mul(cosine, hn::Set(Floats(), 0.5F));
-  return {mul_add(cosine, mul_add(half_cosine, m.spread_spread, m.density_density),
-                  m.share_share),
+  return {mul_add(cosine, mul_add(half_cosine, m.spread_spread, m.density_density), m.share_share),
           hn::Mul(per_x, mul_add(cosine, m.spread_density, m.density_share)),
           hn::Mul(per_y, mul_add(cosine, m.density_spread, m.share_density))};
 }
@@ -359,8 +357,8 @@ HWY_ATTR HWY_INLINE void add_last_of_five(const Columns* blocks, std::size_t cou
   V s3 = hn::Load(d, at(3)), s4 = hn::Load(d, at(4));
   for (std::size_t i = 0; i < count; ++i) {
     const Columns& block = blocks[i];
-    const V last = hn::Mul(hn::Load(d, block.weight + lane),
-                           hn::Load(d, block.value[kColumns - 1] + lane));
+    const V last =
+        hn::Mul(hn::Load(d, block.weight + lane), hn::Load(d, block.value[kColumns - 1] + lane));
     const auto column = [&](int k) HWY_ATTR { return hn::Load(d, block.value[a + k] + lane); };
     s0 = mul_add(last, column(0), s0);
     s1 = mul_add(last, column(1), s1);
@@ -433,8 +431,7 @@ HWY_ATTR PhotometricSums sums_within(const PhotometricPixels& pixels,
   };
   for (std::size_t block = pass.first_block; block < pixels.blocks(); block += pass.block_step) {
     for (std::size_t lane = 0; lane < kPixelBlock; lane += lanes) {
-      fill_columns<kEdges>(pixels, block * kPixelBlock + lane, constants, lane,
-                           batch[filled]);
+      fill_columns<kEdges>(pixels, block * kPixelBlock + lane, constants, lane, batch[filled]);
     }
     if (++filled == kBatch) empty_batch();
   }
@@ -464,8 +461,8 @@ PhotometricSums sums_of_middling_cells(const PhotometricPixels& pixels,
   return sums_within<kMiddlingCells>(pixels, p, pass);
 }
 
-PhotometricSums sums_of_small_cells(const PhotometricPixels& pixels,
-                                    const PhotometricParameters& p, const PhotometricPass& pass) {
+PhotometricSums sums_of_small_cells(const PhotometricPixels& pixels, const PhotometricParameters& p,
+                                    const PhotometricPass& pass) {
   return sums_within<kSmallCells>(pixels, p, pass);
 }
 

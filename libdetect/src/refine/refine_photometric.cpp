@@ -51,8 +51,8 @@ constexpr double kWideCellShare = 0.19;
 constexpr double kMiddlingCellShare = 0.36;
 /// Fewer pixels than this, times the parameters, are too few.
 constexpr std::size_t kLeastPixelsEach = 3;
-/// A sum of squared residuals over some of the pixels may be larger by this many variances where both
-/// places are equally good.
+/// A sum of squared residuals over some of the pixels may be larger by this many variances where
+/// both places are equally good.
 constexpr double kChance = 8;
 /// Steps over all pixels end when no corner moves by more, px: the next would move it by some
 /// hundredth of that.
@@ -120,7 +120,7 @@ class Fit {
   bool step(std::size_t block_step);
   bool solve(PhotometricSums& sums);
   void move(PhotometricVector step);
-  bool agrees_better(const std::array<double, 8>& before) const;
+  bool agrees_better(const std::array<double, 8>& before);
   std::optional<PhotometricFit> result(const Corners& corners) const;
   std::optional<Corners> ideal_corners() const {
     return places_in_px(parameters_.to_cells, frame_, border_corners(scratch_.pattern));
@@ -130,7 +130,9 @@ class Fit {
         scratch_.pixels, at, scratch_.pattern.edges(),
         {.outlier_scale = outlier_scale_, .block_step = block_step, .normal = normal});
   }
-  std::size_t few() const { return std::max<std::size_t>(1, scratch_.pixels.blocks() / kFewBlocks); }
+  std::size_t few() const {
+    return std::max<std::size_t>(1, scratch_.pixels.blocks() / kFewBlocks);
+  }
 
   ImageView image_;
   const PhotometricOptions& options_;
@@ -141,7 +143,7 @@ class Fit {
   PhotometricParameters parameters_;
   double outlier_scale_ = 1e9;
   Normal factor_;
-  double variance_ = 1;   // of a pixel about the model
+  double variance_ = 1;  // of a pixel about the model
   double moved_px_ = 0;  // by the last step, the farthest corner
 };
 
@@ -212,8 +214,8 @@ bool Fit::choose(double near_px) {
                      .near_px = near_px,
                      .spread_px = spread_px(parameters_)};
   const auto area = static_cast<std::size_t>(std::abs(signed_area(region)));
-  choice.step = static_cast<int>(std::max<std::size_t>(1, (area + options_.most_pixels / 2) /
-                                                              options_.most_pixels));
+  choice.step = static_cast<int>(
+      std::max<std::size_t>(1, (area + options_.most_pixels / 2) / options_.most_pixels));
   PhotometricPixels& pixels = scratch_.pixels;
   pixels.reset(most_pixels(image_, region, choice.step));
   if (options_.lens) {
@@ -231,8 +233,8 @@ bool Fit::choose(double near_px) {
 
 /// Adds the priors, factors and moves; false when the matrix is not positive definite.
 bool Fit::solve(PhotometricSums& sums) {
-  variance_ = std::max(kLeastVariance,
-                       sums.squared / std::max(1.0, sums.weight - kPhotometricParameters));
+  variance_ =
+      std::max(kLeastVariance, sums.squared / std::max(1.0, sums.weight - kPhotometricParameters));
   const auto prior = [&](int i, double distance, double deviation) {
     sums.normal[i][i] += variance_ / (deviation * deviation);
     sums.gradient[i] += variance_ / (deviation * deviation) * distance;
@@ -251,8 +253,8 @@ void Fit::move(PhotometricVector step) {
   const std::optional<Corners> before = ideal_corners();
   step[kLogSpread] = std::clamp(step[kLogSpread], -kMaxLogSpreadStep, kMaxLogSpreadStep);
   parameters_ = moved(parameters_, step);
-  parameters_.log_spread = std::clamp(parameters_.log_spread, std::log(kLeastSpread_px),
-                                      std::log(kLargestSpread_px));
+  parameters_.log_spread =
+      std::clamp(parameters_.log_spread, std::log(kLeastSpread_px), std::log(kLargestSpread_px));
   parameters_.tails = std::clamp(parameters_.tails, kLeastTails, kMostTails);
   parameters_.tone = std::clamp(parameters_.tone, -kMaxTone, kMaxTone);
   const std::optional<Corners> after = ideal_corners();
@@ -283,8 +285,8 @@ bool Fit::first_step() {
   if (!(parameters_.contrast > 1)) return false;
   outlier_scale_ = std::max(kOutlierLevels, kOutlierShare * parameters_.contrast);
 
-  // What the sums would be: residuals are less by black + more * share, derivatives by the place and
-  // the point-spread are `contrast` times as large.
+  // What the sums would be: residuals are less by black + more * share, derivatives by the place
+  // and the point-spread are `contrast` times as large.
   s.squared -= black * s.gradient[kBlackLevel] + more * s.gradient[kContrast];
   const auto column = [&](int a, int b) { return a <= b ? s.normal[a][b] : s.normal[b][a]; };
   PhotometricVector gradient = s.gradient;
@@ -308,25 +310,34 @@ bool Fit::first_step() {
 bool Fit::step(std::size_t block_step) {
   PhotometricSums s = sums(parameters_, block_step, true);
   if (!solve(s)) return false;
-  outlier_scale_ = std::max({kOutlierLevels, kOutlierShare * parameters_.contrast,
-                             kOutlierNoise * std::sqrt(variance_)});
+  outlier_scale_ = std::max(
+      {kOutlierLevels, kOutlierShare * parameters_.contrast, kOutlierNoise * std::sqrt(variance_)});
   return true;
 }
 
 /// Whether the picture is nearer to the result than to the tag at `before`, both with the light,
-/// spread and tone of the result.
-bool Fit::agrees_better(const std::array<double, 8>& before) const {
+/// spread and tone of the result. Takes the variance at the result, where the last sums were from
+/// the place before it.
+bool Fit::agrees_better(const std::array<double, 8>& before) {
+  const PhotometricSums after = sums(parameters_, few(), false);
+  const auto pixels = static_cast<double>(scratch_.pixels.size());
+  variance_ = std::max(kLeastVariance, after.squared / std::max(1.0, after.weight) * pixels /
+                                           (pixels - kPhotometricParameters));
   PhotometricParameters old = parameters_;
   old.to_cells = before;
-  return sums(parameters_, few(), false).squared <=
-         sums(old, few(), false).squared + kChance * variance_;
+  return after.squared <= sums(old, few(), false).squared + kChance * variance_;
 }
 
 std::optional<PhotometricFit> Fit::result(const Corners& corners) const {
   const std::optional<Corners> ideal = ideal_corners();
   if (!ideal) return std::nullopt;
-  const double allowed = std::max(std::min(kMaxShift_px, kMaxShiftOfSmallCells * cell_px_),
-                                  kMaxShiftOfLargeCells * cell_px_);
+  if (options_.noise && std::sqrt(variance_) > 2 * std::max(0.5, *options_.noise) +
+                                                   kMaxMisfit * parameters_.contrast) {
+    return std::nullopt;
+  }
+  const double allowed =
+      std::max({std::min(kMaxShift_px, kMaxShiftOfSmallCells * cell_px_),
+                kMaxShiftOfLargeCells * cell_px_, kMaxShiftOfSpread * spread_px(parameters_)});
   PhotometricFit fit;
   for (int i = 0; i < 4; ++i) {
     fit.corners[i] = to_image_px(options_.lens, (*ideal)[i]);

@@ -55,13 +55,9 @@ void TagPattern::finish(int edges) {
   edges_ = edges;
   extend_guesses();
   take_differences();
-  const int lines = width_ + 2;
-  surroundings_.resize(static_cast<std::size_t>(lines) * lines);
-  for (int y = -1; y <= width_; ++y) {
-    for (int x = -1; x <= width_; ++x) {
-      surroundings_[(y + 1) * lines + x + 1] = surroundings_at(x, y);
-    }
-  }
+  if (edges == kWideCells) fill_surroundings<kWideCells>();
+  if (edges == kMiddlingCells) fill_surroundings<kMiddlingCells>();
+  if (edges == kSmallCells) fill_surroundings<kSmallCells>();
   flags_.resize(static_cast<std::size_t>(width_) * width_);
   for (int y = 0; y < width_; ++y) {
     for (int x = 0; x < width_; ++x) flags_[index(x, y)] = flags_of(x, y);
@@ -99,24 +95,28 @@ void TagPattern::take_differences() {
   }
 }
 
-CellSurroundings TagPattern::surroundings_at(int first_x, int first_y) const {
-  CellSurroundings around;
-  const int side = edges_ + 1;
+template <int kEdges>
+void TagPattern::fill_surroundings() {
+  constexpr int kSide = kEdges + 1;
   const int step = width_ + 2 * kPad;
   // Lines on the far side of the tag have no pixels; their surroundings may end with the grid.
-  const int begin = std::min(padded(first_x - 1, first_y - 1),
-                             static_cast<int>(code_.size()) - edges_ * (step + 1) - 1);
-  int code = 0;
-  for (int b = 0; b < side; ++b) {
-    const int row = begin + b * step;
-    const std::vector<std::uint32_t>& first = b == 0 ? code_ : code_y_;
-    const std::vector<std::uint32_t>& rest = b == 0 ? code_x_ : code_xy_;
-    for (int a = 0; a < side; ++a, ++code) {
-      around.words[code / kCodesPerWord] |= (a == 0 ? first[row] : rest[row + a])
-                                            << (4 * (code % kCodesPerWord));
+  const int last_begin = static_cast<int>(code_.size()) - kEdges * (step + 1) - 1;
+  surroundings_.resize(static_cast<std::size_t>(width_ + 2) * (width_ + 2));
+  CellSurroundings* around = surroundings_.data();
+  for (int y = -1; y <= width_; ++y) {
+    for (int x = -1; x <= width_; ++x, ++around) {
+      const int begin = std::min(padded(x - 1, y - 1), last_begin);
+      *around = {};
+      for (int code = 0; code < kSide * kSide; ++code) {
+        const int a = code % kSide;
+        const int b = code / kSide;
+        const std::vector<std::uint32_t>& from =
+            a == 0 ? (b == 0 ? code_ : code_y_) : (b == 0 ? code_x_ : code_xy_);
+        around->words[code / kCodesPerWord] |= from[begin + a + b * step]
+                                               << (4 * (code % kCodesPerWord));
+      }
     }
   }
-  return around;
 }
 
 std::int32_t TagPattern::flags_of(int x, int y) const {

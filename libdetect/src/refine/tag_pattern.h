@@ -66,8 +66,8 @@ class TagPattern {
     return surroundings_[(first_y + 1) * (width_ + 2) + first_x + 1];
   }
 
-  /// Whether the outermost cells are known and of one colour, so that no edge is nearer to the tag's
-  /// outside than one cell.
+  /// Whether the outermost cells are known and of one colour, so that no edge is nearer to the
+  /// tag's outside than one cell.
   bool plain_rim() const;
 
   /// 0 <= x, y < width(): row-major index of a cell.
@@ -94,7 +94,8 @@ class TagPattern {
   int padded(int x, int y) const { return (y + kPad) * (width_ + 2 * kPad) + x + kPad; }
   void extend_guesses();
   void take_differences();
-  CellSurroundings surroundings_at(int first_x, int first_y) const;
+  template <int kEdges>
+  void fill_surroundings();
   std::int32_t flags_of(int x, int y) const;
 
   int edges_ = kMiddlingCells;

@@ -44,8 +44,8 @@ struct PoseEstimate {
 };
 
 /// Pose of a square from its four corners: start from the homography, then orthogonal iteration
-/// [Lu2000], then the second minimum [Schweighofer2006]. With the corners' covariance both minima go
-/// on to where the corners are most likely, and `best` is the likelier one.
+/// [Lu2000], then the second minimum [Schweighofer2006]. With the corners' covariance both minima
+/// go on to where the corners are most likely, and `best` is the likelier one.
 ///   corners      images of kTagCorners, px
 ///   camera       intrinsics and distortion
 ///   edge_m       side of the border square, metres, > 0
