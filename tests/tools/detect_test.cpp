@@ -231,7 +231,7 @@ TEST(DetectProgram, AFixedContrastLetsNoiseThrough) {
     words.insert(words.end(), options.begin(), options.end());
     words.push_back(folder.file("a.png"));
     const std::string text = tagmint(words).err;
-    const std::string name = "boundary_points";
+    const std::string name = "boundary points";
     return std::stoi(text.substr(text.find(name) + name.size()));
   };
   EXPECT_LT(4 * boundary_points({}), boundary_points({"--fixed-contrast"}));
