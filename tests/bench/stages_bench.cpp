@@ -1,5 +1,5 @@
-// How long each stage of the detector takes on one rendered picture, and the whole detector beside
-// libapriltag on the same one. Rates are pixels of the full picture per second.
+// How long each stage of the paper's path takes on one rendered picture, and the whole detector.
+// Rates are pixels of the full picture per second. Beside its peers detector_bench measures it.
 
 #include <benchmark/benchmark.h>
 
@@ -11,11 +11,6 @@
 #include "support/paint_tags.h"
 #include "tagmint/codec/builtin_families.h"
 #include "tagmint/detect/detector.h"
-
-#ifdef TAGMINT_HAVE_APRILTAG
-#include <apriltag/apriltag.h>
-#include <apriltag/tag36h11.h>
-#endif
 
 namespace tagmint {
 namespace {
@@ -128,6 +123,7 @@ BENCHMARK(FitQuads)->ArgName("noise")->Arg(0)->Arg(5);
 void WholeDetector(benchmark::State& state) {
   const detect::Image& image = scene(state);
   detect::DetectorOptions options;
+  options.algorithm = detect::Algorithm::Paper;
   options.decimate = static_cast<double>(state.range(1));
   detect::Detector detector(
       {std::make_shared<const codec::Decoder>(codec::find_family("tag36h11"))}, options);
@@ -138,29 +134,6 @@ void WholeDetector(benchmark::State& state) {
   count_pixels(state);
 }
 BENCHMARK(WholeDetector)->ArgNames({"noise", "decimate"})->ArgsProduct({{0, 5}, {1, 2}});
-
-#ifdef TAGMINT_HAVE_APRILTAG
-void Libapriltag(benchmark::State& state) {
-  const detect::Image& image = scene(state);
-  apriltag_family_t* family = tag36h11_create();
-  apriltag_detector_t* detector = apriltag_detector_create();
-  apriltag_detector_add_family(detector, family);
-  detector->quad_decimate = static_cast<float>(state.range(1));
-  // It only reads the picture, though it asks for a pointer to pixels that may be written to.
-  image_u8_t picture{kWidth, kHeight, kWidth, const_cast<std::uint8_t*>(image.row(0))};
-  int found = 0;
-  for (auto _ : state) {
-    zarray_t* detections = apriltag_detector_detect(detector, &picture);
-    found = zarray_size(detections);
-    apriltag_detections_destroy(detections);
-  }
-  state.counters["tags"] = found;
-  count_pixels(state);
-  apriltag_detector_destroy(detector);
-  tag36h11_destroy(family);
-}
-BENCHMARK(Libapriltag)->ArgNames({"noise", "decimate"})->ArgsProduct({{0, 5}, {1, 2}});
-#endif
 
 }  // namespace
 }  // namespace tagmint

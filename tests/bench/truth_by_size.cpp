@@ -55,9 +55,9 @@ Scene scene_of_side(double side_px) {
 
 using Found = std::vector<std::pair<int, detect::Corners>>;
 
-Found detect_ours(const detect::Image& image) {
+Found detect_ours(const detect::Image& image, const detect::DetectorOptions& options) {
   detect::Detector detector(
-      {std::make_shared<const codec::Decoder>(codec::find_family("tag36h11"))});
+      {std::make_shared<const codec::Decoder>(codec::find_family("tag36h11"))}, options);
   Found found;
   for (const detect::Detection& d : detector.detect(image)) found.emplace_back(d.id, d.corners);
   return found;
@@ -105,11 +105,18 @@ std::string judge(const Found& found, const Scene& scene, double side_px) {
 }  // namespace tagmint
 
 int main() {
-  fmt::print("| side | tagmint | libapriltag |\n|---|---|---|\n");
+  using tagmint::detect::Algorithm;
+  fmt::print(
+      "| side | tracker | paper | paper, edges alone | libapriltag |\n|---|---|---|---|---|\n");
   for (const double side : {8, 9, 10, 12, 15, 18, 24, 32, 80}) {
     tagmint::Scene scene = tagmint::scene_of_side(side);
-    const std::string ours = tagmint::judge(tagmint::detect_ours(scene.image), scene, side);
+    const auto ours = [&](const tagmint::detect::DetectorOptions& options) {
+      return tagmint::judge(tagmint::detect_ours(scene.image, options), scene, side);
+    };
+    const std::string tracker = ours({.algorithm = Algorithm::Tracker});
+    const std::string paper = ours({.algorithm = Algorithm::Paper});
+    const std::string edges = ours({.algorithm = Algorithm::Paper, .refine_photometric = false});
     const std::string theirs = tagmint::judge(tagmint::detect_theirs(scene.image), scene, side);
-    fmt::print("| {} px | {} | {} |\n", side, ours, theirs);
+    fmt::print("| {} px | {} | {} | {} | {} |\n", side, tracker, paper, edges, theirs);
   }
 }

@@ -6,6 +6,7 @@
 #include "pipeline/stage_types.h"
 #include "support/ascii_image.h"
 #include "support/fixed_random.h"
+#include "support/instruction_sets.h"
 
 namespace tagmint::detect {
 namespace {
@@ -53,6 +54,42 @@ TEST(Threshold, AgreesWithTheDefinitionOnRandomPicturesOfAllSmallSizes) {
       EXPECT_EQ(run(image, 10), naive(image, 10)) << width << " x " << height;
     }
   }
+}
+
+/// A picture whose neighbourhoods have contrasts on both sides of the floor.
+Image random_picture(int width, int height, testing::FixedRandom& random) {
+  Image image(width, height);
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const int spread = x / 16 % 2 ? 9 : 60;
+      image.at(x, y) = static_cast<std::uint8_t>(random.between(120 - spread, 120 + spread));
+    }
+  }
+  return image;
+}
+
+TEST(Threshold, IsThePlainOneWithEveryInstructionSet) {
+  testing::with_every_instruction_set([] {
+    testing::FixedRandom random(6);
+    for (const int width : {1, 3, 4, 15, 16, 17, 31, 33, 63, 64, 65, 66, 127, 129, 200}) {
+      const int height = random.between(1, 13);
+      const Image image = random_picture(width, height, random);
+      for (const int min_contrast : {0, 5, 20, 255}) {
+        ThresholdScratch scratch;
+        Image plain;
+        scalar::threshold(image, {min_contrast}, scratch, plain);
+        EXPECT_EQ(run(image, min_contrast), plain) << width << " x " << height;
+      }
+    }
+  });
+}
+
+TEST(Threshold, OfAViewWithAStrideReadsNothingElse) {
+  testing::FixedRandom random(2);
+  const Image whole = random_picture(150, 40, random);
+  Image part(70, 21);
+  for (int y = 0; y < 21; ++y) std::copy_n(whole.row(y + 7) + 33, 70, part.row(y));
+  EXPECT_EQ(run({whole.row(7) + 33, 70, 21, 150}), run(part));
 }
 
 TEST(Threshold, PlainPicturesAreUnknown) {

@@ -287,6 +287,21 @@ TEST(DetectProgram, StatsGoToStderr) {
   EXPECT_EQ(result.out.find("reconcile"), std::string::npos);
 }
 
+TEST(DetectProgram, AFixedContrastLetsNoiseThrough) {
+  const ScratchFolder folder;
+  render(folder, "a", {"tag36h11", "--count", "1", "--noise", "8"});
+  const auto boundary_points = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> words = {"detect",      "--family", "tag36h11",
+                                      "--algorithm", "paper",    "--stats"};
+    words.insert(words.end(), options.begin(), options.end());
+    words.push_back(folder.file("a.png"));
+    const std::string text = tagmint(words).err;
+    const std::string name = "boundary points";
+    return std::stoi(text.substr(text.find(name) + name.size()));
+  };
+  EXPECT_LT(4 * boundary_points({}), boundary_points({"--fixed-contrast"}));
+}
+
 TEST(DetectProgram, RefusesNumbersOutOfRange) {
   for (const auto& [option, value, range] :
        {std::array{"--blur", "1e6", "-100 to 100"}, std::array{"--blur", "nan", "-100 to 100"},

@@ -99,6 +99,8 @@ void add_search_options(CLI::App& app, DetectArguments& arguments) {
       ->type_name("N")
       ->check(number_between(0, 255))
       ->capture_default_str();
+  app.add_flag("--fixed-contrast", arguments.fixed_contrast,
+               "do not raise --min-contrast with the picture's noise");
   app.add_option("--min-margin", arguments.detector.min_decision_margin,
                  "drop tags of a lower decision margin")
       ->type_name("M")

@@ -172,6 +172,7 @@ DetectPlan plan_detection(const DetectArguments& arguments) {
   plan.detector.algorithm =
       arguments.algorithm == "paper" ? detect::Algorithm::Paper : detect::Algorithm::Tracker;
   plan.detector.refine_edges = !arguments.no_refine;
+  plan.detector.contrast_by_noise = !arguments.fixed_contrast;
   plan.detector.refine_photometric = !arguments.no_refine && !arguments.no_photometric;
   plan.detector.report_inverted = plan.detector.report_mirrored = arguments.unusual_prints;
   if (plan.poses && plan.poses->camera.distorts()) plan.detector.lens = plan.poses->camera;

@@ -23,6 +23,7 @@ struct DetectArguments {
   DecoderArguments decoding;
   bool no_refine = false;
   bool no_photometric = false;
+  bool fixed_contrast = false;
   bool unusual_prints = false;
   std::string camera;
   std::string distortion;

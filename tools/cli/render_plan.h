@@ -31,7 +31,8 @@ inline constexpr int kDefaultCount = 8;
 scene::Scene plan_scene(const RenderArguments& arguments);
 
 /// What is behind the tags: `gray:LEVEL`, `gradient:FROM,TO`, `texture`, `texture:GRAY,AMPLITUDE`
-/// (gray levels), `clutter`, `clutter:SHAPES`, or the path of a picture. Throws UsageError, InputError.
+/// (gray levels), `clutter`, `clutter:SHAPES`, or the path of a picture. Throws UsageError,
+/// InputError.
 scene::Background parse_background(const std::string& text);
 
 }  // namespace tagmint::cli

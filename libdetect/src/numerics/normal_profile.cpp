@@ -50,66 +50,80 @@ constexpr int kShareBits = 8;
 constexpr std::uint32_t kShareMask = (1u << kShareBits) - 1;
 constexpr double kPlaceUnits = 1 << kPlaceBits;
 
-/// Fills profile.gray with `count` values from `start` on, which with the last one lies well inside
-/// the image.
-void sample_line(ImageView image, Point start, Point step, int count, float sign,
-                 NormalProfile& profile) {
-  // Pixel (i, j) has its value at its centre (i + 0.5, j + 0.5). Beyond the last column or row the
-  // next pixel has no weight; the one before stands in for it.
-  auto u = static_cast<std::uint32_t>(std::max(0.0, (start.x - 0.5) * kPlaceUnits));
-  auto v = static_cast<std::uint32_t>(std::max(0.0, (start.y - 0.5) * kPlaceUnits));
-  const auto du = static_cast<std::uint32_t>(static_cast<std::int32_t>(step.x * kPlaceUnits));
-  const auto dv = static_cast<std::uint32_t>(static_cast<std::int32_t>(step.y * kPlaceUnits));
-  const std::uint32_t last_x =
-      static_cast<std::uint32_t>(image.width - 2) << kPlaceBits | ((1u << kPlaceBits) - 1);
-  const std::uint32_t last_y =
-      static_cast<std::uint32_t>(image.height - 2) << kPlaceBits | ((1u << kPlaceBits) - 1);
-  const float scale = sign / (1 << 2 * kShareBits);
-  for (int i = 0; i < count; ++i, u += du, v += dv) {
-    const std::uint32_t x = std::min(u, last_x), y = std::min(v, last_y);
-    const auto fx = static_cast<int>(x >> (kPlaceBits - kShareBits) & kShareMask);
-    const auto fy = static_cast<int>(y >> (kPlaceBits - kShareBits) & kShareMask);
-    const std::uint8_t* top = image.data +
-                              static_cast<std::ptrdiff_t>(y >> kPlaceBits) * image.stride +
-                              (x >> kPlaceBits);
-    const std::uint8_t* bottom = top + image.stride;
-    const int upper = (top[0] << kShareBits) + fx * (top[1] - top[0]);
-    const int lower = (bottom[0] << kShareBits) + fx * (bottom[1] - bottom[0]);
-    const int value = (upper << kShareBits) + fy * (lower - upper);
-    profile.gray[static_cast<std::size_t>(i)] = scale * static_cast<float>(value);
-  }
+/// The last place that has a pixel to its right, or below it.
+std::uint32_t last_place(int pixels) {
+  return static_cast<std::uint32_t>(pixels - 2) << kPlaceBits | ((1u << kPlaceBits) - 1);
+}
+
+/// Coordinate of a place, counted from the centre of the first pixel, where that has its value.
+std::uint32_t place_of(double coordinate) {
+  return static_cast<std::uint32_t>(std::max(0.0, (coordinate - 0.5) * kPlaceUnits));
+}
+
+std::uint32_t step_of(double step_px) {
+  return static_cast<std::uint32_t>(static_cast<std::int32_t>(step_px * kPlaceUnits));
 }
 
 }  // namespace
 
-std::optional<NormalProfile> read_profile(ImageView image, Point foot, Point outward, double search,
-                                          bool rising) {
-  NormalProfile p;
+ProfileReader::ProfileReader(ImageView image, Point outward, double search, bool rising)
+    : image_(image), last_x_(last_place(image.width)), last_y_(last_place(image.height)) {
   const double step_px = std::max(kStep, search / NormalProfile::kMaxReach);
-  p.step = static_cast<float>(step_px);
-  p.reach = std::min(NormalProfile::kMaxReach, static_cast<int>(std::ceil(search / step_px)));
-  const int values = p.changes() + 2 * NormalProfile::kHalfChange;
   const Point step = step_px * outward;
-  const Point start = foot - static_cast<double>(p.reach + NormalProfile::kHalfChange) * step;
-  if (!well_inside(image, start) || !well_inside(image, start + (values - 1.0) * step)) {
-    return std::nullopt;
+  step_px_ = static_cast<float>(step_px);
+  reach_ = std::min(NormalProfile::kMaxReach, static_cast<int>(std::ceil(search / step_px)));
+  values_ = 2 * (reach_ + NormalProfile::kHalfChange) + 1;
+  to_end_ = static_cast<double>(reach_ + NormalProfile::kHalfChange) * step;
+  to_start_ = -1 * to_end_;
+  scale_ = (rising ? 1.0f : -1.0f) / (1 << 2 * kShareBits);
+  step_x_ = step_of(step.x);
+  step_y_ = step_of(step.y);
+}
+
+bool ProfileReader::read(Point foot, NormalProfile& p) const {
+  const Point start = foot + to_start_;
+  if (!well_inside(image_, start) || !well_inside(image_, foot + to_end_)) return false;
+  std::uint32_t u = place_of(start.x), v = place_of(start.y);
+  float* const gray = p.gray.data();
+  float darkest = 1e9f, brightest = -1e9f;
+  for (int i = 0; i < values_; ++i, u += step_x_, v += step_y_) {
+    // Beyond the last column or row the next pixel has no weight; the one before stands in for it.
+    const std::uint32_t x = std::min(u, last_x_), y = std::min(v, last_y_);
+    const auto fx = static_cast<int>(x >> (kPlaceBits - kShareBits) & kShareMask);
+    const auto fy = static_cast<int>(y >> (kPlaceBits - kShareBits) & kShareMask);
+    const std::uint8_t* const top = image_.data +
+                                    static_cast<std::ptrdiff_t>(y >> kPlaceBits) * image_.stride +
+                                    (x >> kPlaceBits);
+    const std::uint8_t* const bottom = top + image_.stride;
+    const int upper = (top[0] << kShareBits) + fx * (top[1] - top[0]);
+    const int lower = (bottom[0] << kShareBits) + fx * (bottom[1] - bottom[0]);
+    const float value = scale_ * static_cast<float>((upper << kShareBits) + fy * (lower - upper));
+    gray[i] = value;
+    darkest = std::min(darkest, value);
+    brightest = std::max(brightest, value);
   }
-  sample_line(image, start, step, values, rising ? 1.0f : -1.0f, p);
-  float steepest = 0, darkest = p.gray[0], brightest = p.gray[0];
-  for (int i = 0; i < p.changes(); ++i) {
-    if (p.change(i) > steepest) {
-      steepest = p.change(i);
-      p.steepest = i;
-    }
+  float steepest = 0;
+  int at = 0;
+  const int changes = 2 * reach_ + 1;
+  for (int i = 0; i < changes; ++i) {
+    const float change = gray[i + 2 * NormalProfile::kHalfChange] - gray[i];
+    at = change > steepest ? i : at;
+    steepest = std::max(steepest, change);
   }
-  if (steepest < kMinChange) return std::nullopt;
-  for (int i = 1; i < values; ++i) {
-    darkest = std::min(darkest, p.gray[static_cast<std::size_t>(i)]);
-    brightest = std::max(brightest, p.gray[static_cast<std::size_t>(i)]);
-  }
+  if (steepest < kMinChange) return false;
+  p.step = step_px_;
+  p.reach = reach_;
+  p.steepest = at;
   p.darkest = darkest;
   p.brightest = brightest;
-  return p;
+  return true;
+}
+
+std::optional<NormalProfile> read_profile(ImageView image, Point foot, Point outward, double search,
+                                          bool rising) {
+  NormalProfile profile;
+  if (!ProfileReader(image, outward, search, rising).read(foot, profile)) return std::nullopt;
+  return profile;
 }
 
 float mean_place_of_changes(const NormalProfile& profile) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 
 #include "tagmint/detect/geometry.h"
@@ -32,11 +33,31 @@ struct NormalProfile {
   float place_of(float i) const { return (i - static_cast<float>(reach)) * step; }
 };
 
-/// Reads the values `search` px to either side of `foot`, bilinearly.
-///   outward   unit vector
-///   rising    whether gray values shall rise outwards; else their negatives are read
-///   returns   nothing when the profile leaves the image or changes by less than two gray levels
-///   cost      four pixels a value
+/// Reads profiles across one straight edge.
+class ProfileReader {
+ public:
+  ///   outward   unit vector
+  ///   search    px to either side of a foot
+  ///   rising    whether gray values shall rise outwards; else their negatives are read
+  ProfileReader(ImageView image, Point outward, double search, bool rising);
+
+  /// The values about `foot`, bilinearly; false when the profile leaves the image or changes by
+  /// less than two gray levels.
+  ///   cost      four pixels a value
+  bool read(Point foot, NormalProfile& profile) const;
+
+ private:
+  ImageView image_;
+  float step_px_;
+  int reach_;
+  int values_;
+  Point to_start_;  ///< from the foot
+  Point to_end_;
+  float scale_;
+  std::uint32_t last_x_, last_y_, step_x_, step_y_;  ///< see kPlaceBits in the source
+};
+
+/// One profile; nothing where ProfileReader::read() is false.
 std::optional<NormalProfile> read_profile(ImageView image, Point foot, Point outward, double search,
                                           bool rising);
 

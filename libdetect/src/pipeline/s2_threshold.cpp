@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "kernels/three_value_kernels.h"
 #include "pipeline/stage_types.h"
 
 namespace tagmint::detect {
@@ -79,10 +80,71 @@ void prepare_tile_row(int ty, int width, int tiles_x, int tiles_y, int min_contr
   }
 }
 
+/// The extrema of three rows of tiles at a time, each at all pixels of its tile.
+class RollingTiles {
+ public:
+  RollingTiles(ImageView image, ThresholdScratch& scratch)
+      : image_(image),
+        tile_rows_(tiles_along(image.height)),
+        pitch_(static_cast<std::size_t>(image.width) + 4 * kTileRowPadding) {
+    scratch.rolling.resize(6 * pitch_);
+    bytes_ = scratch.rolling.data();
+  }
+
+  /// The pixels of a row of tiles; the last row of the image stands for those missing.
+  PixelRows pixels(int tile_row) const {
+    PixelRows rows;
+    for (int i = 0; i < kTile; ++i) {
+      rows[static_cast<std::size_t>(i)] =
+          image_.row(std::min(tile_row * kTile + i, image_.height - 1));
+    }
+    return rows;
+  }
+  /// Takes the place of the row three before.
+  void compute(int tile_row) {
+    if (tile_row >= tile_rows_) return;
+    tile_extrema(pixels(tile_row), image_.width, low(tile_row), low(tile_row) + pitch_);
+  }
+  /// Beyond the image's edge goes on the row at the edge.
+  TileRow at(int tile_row) const {
+    const int clamped = std::clamp(tile_row, 0, tile_rows_ - 1);
+    return {low(clamped), low(clamped) + pitch_};
+  }
+
+ private:
+  std::uint8_t* low(int tile_row) const {
+    return bytes_ + static_cast<std::size_t>(tile_row % 3) * 2 * pitch_ + kTileRowPadding;
+  }
+
+  ImageView image_;
+  int tile_rows_;
+  std::size_t pitch_;
+  std::uint8_t* bytes_ = nullptr;
+};
+
 }  // namespace
 
 void threshold(ImageView working, const ThresholdOptions& options, ThresholdScratch& scratch,
                Image& three_valued) {
+  const int width = std::max(working.width, 0), height = std::max(working.height, 0);
+  three_valued.resize(width, height);
+  if (working.empty()) return;
+  const auto floor = static_cast<std::uint8_t>(std::clamp(options.min_contrast, 0, 255));
+  RollingTiles tiles(working, scratch);
+  tiles.compute(0);
+  for (int ty = 0; ty < tiles_along(height); ++ty) {
+    tiles.compute(ty + 1);
+    ByteRows out{};
+    for (int i = 0; i < kTile && ty * kTile + i < height; ++i) {
+      out[static_cast<std::size_t>(i)] = three_valued.row(ty * kTile + i);
+    }
+    three_values(tiles.pixels(ty), width, tiles.at(ty - 1), tiles.at(ty), tiles.at(ty + 1), floor,
+                 out);
+  }
+}
+
+void scalar::threshold(ImageView working, const ThresholdOptions& options,
+                       ThresholdScratch& scratch, Image& three_valued) {
   const int width = std::max(working.width, 0), height = std::max(working.height, 0);
   three_valued.resize(width, height);
   if (working.empty()) return;

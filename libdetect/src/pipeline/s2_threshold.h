@@ -24,6 +24,7 @@ struct ThresholdScratch {
   std::vector<std::uint8_t> row_min, row_max;    ///< of the tile and its two row neighbours
   std::vector<std::uint8_t> threshold;           ///< one tile row, a value for each pixel
   std::vector<std::uint8_t> known;               ///< 255 where there is contrast, else 0
+  std::vector<std::uint8_t> rolling;             ///< extrema of three rows of tiles, by pixel
 };
 
 /// Compares each pixel with the mean of the extrema of the 3x3 tiles around its own: above is
@@ -31,8 +32,16 @@ struct ThresholdScratch {
 /// smaller tiles, so that every pixel is judged alike.
 ///   working        any size
 ///   three_valued   takes the result, same size
-///   cost           O(pixels); each pixel is read twice
+///   cost           two passes over the pixels, a vector at a time
 void threshold(ImageView working, const ThresholdOptions& options, ThresholdScratch& scratch,
                Image& three_valued);
+
+namespace scalar {
+
+/// The same tile by tile and pixel by pixel.
+void threshold(ImageView working, const ThresholdOptions& options, ThresholdScratch& scratch,
+               Image& three_valued);
+
+}  // namespace scalar
 
 }  // namespace tagmint::detect

@@ -61,7 +61,8 @@ struct PlacedProfile {
 };
 
 struct EdgeScratch {
-  std::vector<PlacedProfile> profiles;
+  std::array<PlacedProfile, kMaxEdgeSamples> profiles;
+  std::size_t found = 0;  ///< of them in use
   std::vector<EdgePoint> points;
   std::vector<EdgePoint> weighted;
   std::vector<double> distances;
@@ -93,20 +94,18 @@ struct Search {
 
 /// Profiles at places spread over one side, those without an edge left out; returns how many places
 /// were looked at.
-int read_profiles(ImageView full, const Side& side, const Search& search,
-                  std::vector<PlacedProfile>& profiles) {
+int read_profiles(ImageView full, const Side& side, const Search& search, EdgeScratch& s) {
   const double margin = std::min(kCornerMargin, kCornerShare * side.length);
   const double usable = side.length - 2 * margin;
   const int places =
       std::clamp(static_cast<int>(usable) / search.stride,
                  search.stride > 1 ? kMinCoarseSamples : kMinEdgeSamples, kMaxEdgeSamples);
-  profiles.clear();
+  const ProfileReader reader(full, side.outward, search.reach_px, search.rising);
+  s.found = 0;
   for (int i = 0; i < places; ++i) {
-    const double t = margin + (i + 0.5) / places * usable;
-    if (const auto profile = read_profile(full, side.from + t * side.along, side.outward,
-                                          search.reach_px, search.rising)) {
-      profiles.push_back({t, *profile});
-    }
+    PlacedProfile& placed = s.profiles[s.found];
+    placed.t = margin + (i + 0.5) / places * usable;
+    if (reader.read(side.from + placed.t * side.along, placed.profile)) ++s.found;
   }
   return places;
 }
@@ -196,8 +195,8 @@ bool is_convex(const Corners& corners) {
 
 /// The side's line after a fit, or the side itself where there is no edge to fit.
 Line refined_line(ImageView full, const Side& side, const Search& search, EdgeScratch& s) {
-  const int places = read_profiles(full, side, search, s.profiles);
-  find_edge_points(s.profiles, search.small_cells, s.points);
+  const int places = read_profiles(full, side, search, s);
+  find_edge_points({s.profiles.data(), s.found}, search.small_cells, s.points);
   const auto found = static_cast<int>(s.points.size());
   if (found >= kMinEdgePoints && found >= kMinEdgeShare * places) {
     if (const std::optional<SideFit> fit = fit_side(s)) {
