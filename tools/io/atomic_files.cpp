@@ -17,9 +17,9 @@ namespace fs = std::filesystem;
 /// A name beside `target` that nothing has.
 fs::path unused_name(const fs::path& target) {
   for (int attempt = 0;; ++attempt) {
-    const fs::path name = target.parent_path() / fmt::format(".{}.{}-{}.old",
-                                                             target.filename().string(), ::getpid(),
-                                                             attempt);
+    const fs::path name =
+        target.parent_path() /
+        fmt::format(".{}.{}-{}.old", target.filename().string(), ::getpid(), attempt);
     if (::access(name.c_str(), F_OK) != 0) return name;
   }
 }
