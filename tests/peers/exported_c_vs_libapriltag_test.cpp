@@ -90,7 +90,8 @@ class ExportedC : public testing::TestWithParam<Exported> {
   /// The sheet of the first 12 tags as the program prints it.
   detect::Image printed_sheet() {
     const std::string sheet = folder_.file("sheet.png");
-    run({"sheet", input_, "--ids", "0-11", "--edge", "22mm", "--dpi", "150", "-o", sheet});
+    run({"sheet", input_, "--ids", "0-11", "--edge", "22mm", "--dpi", "150", "--no-ruler", "-o",
+         sheet});
     return io::read_gray_image(sheet);
   }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
@@ -31,7 +32,9 @@ std::vector<std::string> search(const std::string& output, const std::vector<std
 
 /// Ends a search `times` times at random moments, each time going on from the checkpoint; one that
 /// was quicker is begun again. The family must be `expected` whenever there is one.
-void disturb(int signal, int times, std::uint64_t seed, const std::string& expected) {
+///   whole_s   what an undisturbed search takes; the moments are such that all together get through
+void disturb(int signal, int times, std::uint64_t seed, double whole_s,
+             const std::string& expected) {
   const ScratchFolder folder;
   const std::string output = folder.file("my.json");
   const std::vector<std::string> words =
@@ -43,11 +46,12 @@ void disturb(int signal, int times, std::uint64_t seed, const std::string& expec
     EXPECT_EQ(folder.names(), std::vector<std::string>{"my.json"});
     fs::remove(output);
   };
+  const double longest_s = std::max(0.35, 3 * whole_s / times);
   int went_on = 0;
   int in_the_list = 0;
   for (int ended = 0; ended < times;) {
     RunningProgram program(tagmint_words(words));
-    std::this_thread::sleep_for(std::chrono::duration<double>(random.real(0.05, 0.35)));
+    std::this_thread::sleep_for(std::chrono::duration<double>(random.real(0.05, longest_s)));
     program.send_signal(signal);
     const ProgramResult result = program.finish();
     SCOPED_TRACE(result.err);
@@ -72,12 +76,15 @@ void disturb(int signal, int times, std::uint64_t seed, const std::string& expec
 TEST(GenerateKilled, SearchThatIsKilledAndInterruptedGivesTheSameFamily) {
   const ScratchFolder folder;
   const std::string output = folder.file("undisturbed.json");
-  ASSERT_EQ(tagmint(search(output, {})).exit_code, 0);
+  const auto begin = std::chrono::steady_clock::now();
+  ASSERT_EQ(tagmint(search(output, {"--threads", "1"})).exit_code, 0);
+  const double whole_s =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   EXPECT_EQ(codec::family_digest(codec::read_family(output)),
             codec::family_digest(*codec::find_family("tag36h10")));
   const std::string expected = read_file(output);
-  disturb(SIGKILL, 20, 1, expected);
-  disturb(SIGINT, 5, 2, expected);
+  disturb(SIGKILL, 20, 1, whole_s, expected);
+  disturb(SIGINT, 5, 2, whole_s, expected);
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <map>
 #include <memory>
 
 #include "draw/debug_writer.h"
@@ -68,7 +70,8 @@ TEST(Overlay, OfTagsBeyondTheImageIsDrawnAllTheSame) {
   EXPECT_EQ(draw_overlay(gray, tags).width, 20);
 }
 
-TEST(DebugWriter, WritesAPictureForEveryStep) {
+/// The pictures of a scene of three tags; the names of the files and the width of each.
+void expect_debug_pictures(detect::Algorithm algorithm, const std::map<std::string, int>& widths) {
   const test::ScratchFolder folder;
   scene::RandomSceneOptions options;
   options.width = 320;
@@ -78,17 +81,35 @@ TEST(DebugWriter, WritesAPictureForEveryStep) {
   const std::vector<scene::TagChoice> choices = {{codec::find_family("tag36h11"), {}}};
   const detect::Image image = scene::render(scene::random_scene(choices, options)).image;
   DebugWriter writer(folder.path() / "steps", image.view());
+  detect::DetectorOptions detector_options;
+  detector_options.algorithm = algorithm;
   detect::Detector detector(
-      {std::make_shared<const codec::Decoder>(codec::find_family("tag36h11"))});
+      {std::make_shared<const codec::Decoder>(codec::find_family("tag36h11"))}, detector_options);
   EXPECT_EQ(detector.detect(image, nullptr, &writer).size(), 3U);
-  const std::vector<std::string> names = {
-      "1-preprocessed.png", "2-threshold.png",     "3-components.png", "4-clusters.png",
-      "5-quads.png",        "6-refined-quads.png", "7-detections.png"};
-  for (const std::string& name : names) {
-    const detect::Image picture = io::read_gray_image((folder.path() / "steps" / name).string());
-    EXPECT_EQ(picture.width(), name == "4-clusters.png" ? 640 : 320) << name;
+  std::map<std::string, int> written;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path() / "steps")) {
+    written[entry.path().filename()] = io::read_gray_image(entry.path().string()).width();
   }
-  EXPECT_EQ(io::read_gray_image((folder.path() / "steps" / names[0]).string()), image);
+  EXPECT_EQ(written, widths);
+  EXPECT_EQ(io::read_gray_image((folder.path() / "steps" / "1-preprocessed.png").string()), image);
+}
+
+TEST(DebugWriter, WritesAPictureForEveryStepOfThePapersPath) {
+  expect_debug_pictures(detect::Algorithm::Paper, {{"1-preprocessed.png", 320},
+                                                   {"2-threshold.png", 320},
+                                                   {"3-components.png", 320},
+                                                   {"4-clusters.png", 640},
+                                                   {"5-quads.png", 320},
+                                                   {"6-refined-quads.png", 320},
+                                                   {"7-detections.png", 320}});
+}
+
+TEST(DebugWriter, WritesWhatTheTrackerHasOfThem) {
+  expect_debug_pictures(detect::Algorithm::Tracker, {{"1-preprocessed.png", 320},
+                                                     {"2-threshold.png", 320},
+                                                     {"5-quads.png", 320},
+                                                     {"6-refined-quads.png", 320},
+                                                     {"7-detections.png", 320}});
 }
 
 TEST(DebugWriter, WithoutAFolderToWriteToIsAnOutputError) {

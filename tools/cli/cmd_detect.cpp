@@ -82,7 +82,9 @@ void add_search_options(CLI::App& app, DetectArguments& arguments) {
       ->type_name("FAMILY")
       ->allow_extra_args(false);
   add_decoder_options(app, arguments.decoding);
-  add_choice(app, "--algorithm", arguments.algorithm, {"tracker", "paper"}, "how quads are found");
+  add_choice(app, "--algorithm", arguments.algorithm, {"tracker", "paper"},
+             "tracker or paper: how quads are found")
+      ->type_name("NAME");
   app.add_option("--decimate", arguments.detector.decimate, "look in an image X times smaller")
       ->type_name("X")
       ->check(number_between(1, 1000));
@@ -90,7 +92,7 @@ void add_search_options(CLI::App& app, DetectArguments& arguments) {
       ->type_name("S")
       ->check(number_between(-100, 100));
   app.add_option("--min-side", arguments.detector.min_side_px,
-                 "no tag's border square is smaller in the image")
+                 "least side of a border square in the image")
       ->type_name("PX")
       ->check(number_between(0, 1e6))
       ->capture_default_str();
@@ -106,7 +108,7 @@ void add_search_options(CLI::App& app, DetectArguments& arguments) {
       ->type_name("M")
       ->check(number_between(0, 255));
   app.add_option("--min-log-odds", arguments.detector.min_log_odds,
-                 "drop tags of lower log-odds; lower finds more, true and false")
+                 "drop tags of lower log-odds to be true")
       ->type_name("L")
       ->check(number_between(-1000, 1000));
   app.add_flag("--unusual-prints", arguments.unusual_prints, "report inverted and mirrored tags");
@@ -117,15 +119,15 @@ void add_search_options(CLI::App& app, DetectArguments& arguments) {
 void add_output_options(CLI::App& app, DetectArguments& arguments) {
   app.add_option("--camera", arguments.camera, "for poses: focal lengths, centre; px")
       ->type_name("FX,FY,CX,CY");
-  app.add_option("--distortion", arguments.distortion, "lens distortion")
-      ->type_name("K1,K2,P1,P2,K3");
+  app.add_option("--distortion", arguments.distortion, "of the lens: K1,K2,P1,P2,K3")
+      ->type_name("K1,...");
   app.add_option("--edge", arguments.edge, "side of the border square, like 40mm")
       ->type_name("LEN");
-  add_choice(app, "--format", arguments.format, {"text", "jsonl", "csv"}, "form of the results")
+  add_choice(app, "--format", arguments.format, {"text", "jsonl", "csv"}, "text, jsonl or csv")
+      ->type_name("FORM")
       ->default_str("by -o, else text");
   add_output(app, arguments.output);
-  app.add_option("--overlay", arguments.overlay,
-                 "draw the tags: a PNG; for several, {name}.png or a folder")
+  app.add_option("--overlay", arguments.overlay, "draw the tags: a PNG, {name}.png or a folder")
       ->type_name("FILE");
   app.add_option("--debug", arguments.debug, "write pictures of every step")->type_name("DIR");
   app.add_flag("--require", arguments.require, "exit 1 when some image has no tag");

@@ -101,8 +101,7 @@ void add_random_options(CLI::App& app, RenderArguments& arguments) {
       ->check(CLI::Range(0, 64))
       ->group(group);
   app.add_option("--background", arguments.background,
-                 "gray:LEVEL, gradient:FROM,TO, texture[:GRAY,AMPLITUDE], clutter[:SHAPES] or a "
-                 "picture")
+                 "gray:N, gradient:A,B, texture[:N,AMPLITUDE], clutter[:SHAPES] or a picture")
       ->type_name("WHAT")
       ->group(group);
   app.add_option("--noise", random.effects.noise_sigma, "sigma of the noise, gray levels")

@@ -182,9 +182,9 @@ std::string command_help(const Command& command, const CLI::App& app) {
     section += table_row(row.left(), row.description());
   }
   common += table_row("-h,--help", "this text");
-  if (!arguments.empty()) text += "\nArguments:\n" + arguments;
+  if (!arguments.empty()) text += "Arguments:\n" + arguments;
   if (!options.empty()) text += "\n" + options;
-  text += "\nCommon options:\n" + common + "\nExamples:\n";
+  text += "Common options:\n" + common + "\nExamples:\n";
   for (const std::string_view example : command.examples) text += fmt::format("  {}\n", example);
   return text;
 }
