@@ -104,9 +104,10 @@ TEST(DebugWriter, WritesAPictureForEveryStepOfThePapersPath) {
                                                    {"7-detections.png", 320}});
 }
 
-TEST(DebugWriter, WritesWhatTheTrackerHasOfThem) {
+TEST(DebugWriter, WritesWhatTheTrackerHasWhichIsNoComponents) {
   expect_debug_pictures(detect::Algorithm::Tracker, {{"1-preprocessed.png", 320},
                                                      {"2-threshold.png", 320},
+                                                     {"4-clusters.png", 640},
                                                      {"5-quads.png", 320},
                                                      {"6-refined-quads.png", 320},
                                                      {"7-detections.png", 320}});

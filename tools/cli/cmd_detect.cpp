@@ -83,7 +83,7 @@ void add_search_options(CLI::App& app, DetectArguments& arguments) {
       ->allow_extra_args(false);
   add_decoder_options(app, arguments.decoding);
   add_choice(app, "--algorithm", arguments.algorithm, {"tracker", "paper"},
-             "tracker or paper: how quads are found")
+             "tracker or paper finds quads")
       ->type_name("NAME");
   app.add_option("--decimate", arguments.detector.decimate, "look in an image X times smaller")
       ->type_name("X")
@@ -92,7 +92,7 @@ void add_search_options(CLI::App& app, DetectArguments& arguments) {
       ->type_name("S")
       ->check(number_between(-100, 100));
   app.add_option("--min-side", arguments.detector.min_side_px,
-                 "least side of a border square in the image")
+                 "least side of a border square in px")
       ->type_name("PX")
       ->check(number_between(0, 1e6))
       ->capture_default_str();

@@ -10,8 +10,8 @@ namespace tagmint::draw {
 /// Writes the intermediate pictures of one detection as numbered PNG files: 1-preprocessed,
 /// 2-threshold (black, white, gray = too little contrast), 3-components (a colour each, black = too
 /// little contrast), 4-clusters (boundary points at twice the working size, a colour a cluster),
-/// 5-quads, 6-refined-quads, 7-detections (over the dimmed image). The tracker has no components
-/// and clusters.
+/// 5-quads, 6-refined-quads, 7-detections (over the dimmed image). The tracker has no components;
+/// its clusters are the outlines of shapes.
 class DebugWriter : public detect::DebugSink {
  public:
   /// Creates `folder` where it is missing; throws codec::OutputError when that fails. Every member
