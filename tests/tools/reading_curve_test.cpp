@@ -12,16 +12,16 @@ namespace {
 using codec::parse_layout;
 
 TEST(ReadingCurve, HoldsWhatWasMeasured) {
-  EXPECT_DOUBLE_EQ(cell_reading(parse_layout("classic:10"), 1.2).border_found, 0.859);
-  EXPECT_DOUBLE_EQ(cell_reading(parse_layout("classic:10"), 1.2).wrong_cells, 0.0588);
-  EXPECT_DOUBLE_EQ(cell_reading(parse_layout("standard:9"), 1.4).wrong_cells, 0.0181);
-  EXPECT_DOUBLE_EQ(cell_reading(parse_layout("circle:11"), 1.4).wrong_cells, 0.0212);
+  EXPECT_DOUBLE_EQ(cell_reading(parse_layout("classic:10"), 1.2).border_found, 0.929);
+  EXPECT_DOUBLE_EQ(cell_reading(parse_layout("classic:10"), 1.2).wrong_cells, 0.0521);
+  EXPECT_DOUBLE_EQ(cell_reading(parse_layout("standard:9"), 1.4).wrong_cells, 0.0219);
+  EXPECT_DOUBLE_EQ(cell_reading(parse_layout("circle:11"), 1.4).wrong_cells, 0.0327);
 }
 
 TEST(ReadingCurve, IsLinearBetweenTheMeasuredSizes) {
   const CellReading reading = cell_reading(parse_layout("classic:8"), 1.25);
-  EXPECT_NEAR(reading.border_found, (0.859 + 0.950) / 2, 1e-12);
-  EXPECT_NEAR(reading.wrong_cells, (0.0588 + 0.0155) / 2, 1e-12);
+  EXPECT_NEAR(reading.border_found, (0.238 + 0.571) / 2, 1e-12);
+  EXPECT_NEAR(reading.wrong_cells, (0.0219 + 0.0089) / 2, 1e-12);
 }
 
 TEST(ReadingCurve, GoesByTheRingsOutsideTheBorderSquare) {
@@ -35,7 +35,7 @@ TEST(ReadingCurve, GoesByTheRingsOutsideTheBorderSquare) {
 }
 
 TEST(ReadingCurve, LargerCellsAreNeverReadWorse) {
-  for (const char* name : {"classic:10", "standard:9", "circle:11"}) {
+  for (const char* name : {"classic:8", "classic:9", "classic:10", "standard:9", "circle:11"}) {
     const codec::Layout layout = parse_layout(name);
     CellReading before = cell_reading(layout, 0);
     for (double cell_px = 0.01; cell_px < 4; cell_px += 0.01) {
@@ -51,17 +51,17 @@ TEST(ReadingCurve, LargerCellsAreNeverReadWorse) {
 
 TEST(ReadingCurve, ShareFoundIsTheBinomialOne) {
   const codec::Layout layout = parse_layout("classic:8");  // 16 cells
-  const double right = 1 - 0.0588;
-  EXPECT_NEAR(share_found(layout, 1.2, 0), 0.859 * std::pow(right, 16), 1e-12);
+  const double right = 1 - 0.0219;
+  EXPECT_NEAR(share_found(layout, 1.2, 0), 0.238 * std::pow(right, 16), 1e-12);
   EXPECT_NEAR(share_found(layout, 1.2, 1),
-              0.859 * (std::pow(right, 16) + 16 * 0.0588 * std::pow(right, 15)), 1e-12);
-  EXPECT_NEAR(share_found(layout, 1.2, 16), 0.859, 1e-12);
+              0.238 * (std::pow(right, 16) + 16 * 0.0219 * std::pow(right, 15)), 1e-12);
+  EXPECT_NEAR(share_found(layout, 1.2, 16), 0.238, 1e-12);
   EXPECT_EQ(share_found(layout, 5, 0), 1);
   EXPECT_EQ(share_found(layout, 0.5, 3), 0);
 }
 
 TEST(ReadingCurve, TheCellForAShareIsWhereTheShareIsReached) {
-  for (const char* name : {"classic:10", "standard:9", "circle:11"}) {
+  for (const char* name : {"classic:8", "classic:9", "classic:10", "standard:9", "circle:11"}) {
     const codec::Layout layout = parse_layout(name);
     for (const int errors : {0, 2, 5}) {
       const double cell_px = cell_px_for_share(layout, errors, 0.95);
