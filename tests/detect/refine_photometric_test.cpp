@@ -159,6 +159,16 @@ TEST(RefinePhotometricStep, RefusesWhereTheTagIsNot) {
   EXPECT_TRUE(!fit || largest_error(fit->corners, far) <= 1);
 }
 
+TEST(RefinePhotometricStep, LeavesPicturesThatNoLensMadeToTheEdges) {
+  Painted drawn = paint("tag36h11", 90, 0.0);
+  FixedRandom random(11);
+  const Image crisp = testing::to_gray(drawn.canvas, 0, random);
+  EXPECT_FALSE(refined(crisp, drawn, shaken(drawn.truth, 0.1)));
+  // The same tag through a lens.
+  const Image blurred = photographed(drawn, 0);
+  EXPECT_TRUE(refined(blurred, drawn, shaken(drawn.truth, 0.1)));
+}
+
 TEST(RefinePhotometricStep, FindsMirroredAndInvertedTagsToo) {
   const codec::SharedFamily family = codec::find_family("tag36h11");
   testing::Canvas canvas(160, 150, 130);

@@ -331,9 +331,11 @@ bool Fit::agrees_better(const std::array<double, 8>& before) {
 std::optional<PhotometricFit> Fit::result(const Corners& corners) const {
   const std::optional<Corners> ideal = ideal_corners();
   if (!ideal) return std::nullopt;
-  if (options_.noise && std::sqrt(variance_) > 2 * std::max(0.5, *options_.noise) +
-                                                   kMaxMisfit * parameters_.contrast) {
-    return std::nullopt;
+  if (spread_px(parameters_) < kLeastTrustedSpread_px) return std::nullopt;
+  if (options_.noise) {
+    const double by_noise = kMostNoise * std::max(0.5, *options_.noise);
+    const double by_misfit = kMaxMisfit * parameters_.contrast;
+    if (variance_ > by_noise * by_noise + by_misfit * by_misfit) return std::nullopt;
   }
   const double allowed =
       std::max({std::min(kMaxShift_px, kMaxShiftOfSmallCells * cell_px_),

@@ -42,7 +42,7 @@ struct PhotometricScratch {
 ///   corners   near the truth, within about half a cell; image px, order of kTagCorners
 ///   returns   nothing where the picture does not agree better with the result than with `corners`,
 ///             the result is farther from them than kMaxShift* allow, or the picture is off the
-///             result by more than noise and kMaxMisfit explain
+///             result by more than noise and kMaxMisfit explain, or is sharper than a lens makes it
 ///   cost      7 to 9 us (docs/refinement.md)
 std::optional<PhotometricFit> refine_photometric(ImageView image, const codec::Family& family,
                                                  codec::TagId id, const Corners& corners,
@@ -59,8 +59,14 @@ bool refine_detection(ImageView image, Detection& detection, const PhotometricOp
 /// tenth of a cell where they are large, or by as far as half the spread of the point-spread: the
 /// wider the blur, the farther off are corners from the border alone.
 inline constexpr double kMaxShift_px = 1.0;
-/// Share of the contrast by which pixels may be off the model (rms), beside twice the noise.
-inline constexpr double kMaxMisfit = 0.04;
+/// Share of the contrast by which pixels may be off the model (rms), beside so many times the
+/// noise. Pictures that the model fits are off by 0.01, by 0.02 to 0.045 at tilts of 75 and 80
+/// degrees; glare and curved sides mostly by more, and there edges alone are truer.
+inline constexpr double kMaxMisfit = 0.045;
+inline constexpr double kMostNoise = 1.5;
+/// A pixel alone spreads by 0.29 px. Pictures hardly wider, drawn or sharpened ones, have the
+/// box's profile or overshoot, not the model's; lenses give 0.55 and more.
+inline constexpr double kLeastTrustedSpread_px = 0.42;
 inline constexpr double kMaxShiftOfSpread = 0.5;
 inline constexpr double kMaxShiftOfSmallCells = 0.5;
 inline constexpr double kMaxShiftOfLargeCells = 0.1;
