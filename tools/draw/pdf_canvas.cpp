@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "draw/numbers.h"
+#include "draw/path_operators.h"
 #include "draw/units.h"
 #include "tagmint/codec/version.h"
 
@@ -58,7 +59,7 @@ void PdfCanvas::fill(const Path& path, const Placement& place, const Ink& ink) {
   // The path keeps its own unit: the grid lines of a tag are whole numbers there.
   content_ += fmt::format("q {0} 0 0 {0} {1} {2} cm\n", number_text(place.unit_mm, 8),
                           number_text(place.x_mm, kDigits), number_text(place.y_mm, kDigits));
-  append_pdf_path(content_, path, kDigits);
+  append_path_operators(content_, path, kDigits);
   content_ += "f Q\n";
 }
 
@@ -68,7 +69,7 @@ void PdfCanvas::stroke(const Path& path, const Placement& place, const Pen& pen)
   content_ += fmt::format("{0} 0 0 {0} {1} {2} cm {3} w\n", number_text(place.unit_mm, 8),
                           number_text(place.x_mm, kDigits), number_text(place.y_mm, kDigits),
                           number_text(pen.width_mm / place.unit_mm, kDigits));
-  append_pdf_path(content_, path, kDigits);
+  append_path_operators(content_, path, kDigits);
   content_ += "S Q\n";
 }
 

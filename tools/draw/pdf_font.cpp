@@ -5,6 +5,7 @@
 #include <span>
 
 #include "draw/numbers.h"
+#include "draw/path_operators.h"
 #include "draw/utf8.h"
 
 namespace tagmint::draw {
@@ -40,7 +41,7 @@ std::string glyph_program(const Glyph& glyph) {
                   number_text(kUnits * box.right + 1, 0), number_text(-kUnits * box.top + 1, 0));
   if (glyph.outline.empty()) return program;
   program += "1 0 0 -1 0 0 cm\n";
-  append_pdf_path(program, scaled(glyph.outline, kUnits), 2);
+  append_path_operators(program, scaled(glyph.outline, kUnits), 2);
   return program + "f\n";
 }
 
@@ -107,34 +108,6 @@ std::string PdfFonts::write(PdfFile& file) const {
     entries += fmt::format("/F{} {}", start / kGlyphsAFont, write_font(file, glyphs));
   }
   return entries;
-}
-
-void append_pdf_path(std::string& out, const Path& path, int digits) {
-  const auto put = [&](const PathPoint& point) {
-    append_number(out, point.x, digits);
-    out += ' ';
-    append_number(out, point.y, digits);
-    out += ' ';
-  };
-  for_each_step(path, [&](Path::Step step, const PathPoint* points) {
-    switch (step) {
-      case Path::Step::Move:
-        put(points[0]);
-        out += "m\n";
-        return;
-      case Path::Step::Line:
-        put(points[0]);
-        out += "l\n";
-        return;
-      case Path::Step::Curve:
-        for (int i = 0; i < 3; ++i) put(points[i]);
-        out += "c\n";
-        return;
-      case Path::Step::Close:
-        out += "h\n";
-        return;
-    }
-  });
 }
 
 }  // namespace tagmint::draw

@@ -33,8 +33,4 @@ class PdfFonts {
   std::map<char32_t, GlyphCode> codes_;
 };
 
-/// Appends the operators that build a path, its points in the path's unit.
-///   digits   kept after the point
-void append_pdf_path(std::string& out, const Path& path, int digits);
-
 }  // namespace tagmint::draw

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "draw/numbers.h"
+#include "draw/path_operators.h"
 #include "draw/units.h"
 #include "tagmint/codec/version.h"
 
@@ -26,34 +27,6 @@ std::string ps_text(std::string_view utf8) {
     out += byte >= 0x20 && byte < 0x7f ? c : '?';
   }
   return out + ")";
-}
-
-void append_path(std::string& out, const Path& path) {
-  const auto put = [&](const PathPoint& point) {
-    append_number(out, point.x, kDigits);
-    out += ' ';
-    append_number(out, point.y, kDigits);
-    out += ' ';
-  };
-  for_each_step(path, [&](Path::Step step, const PathPoint* points) {
-    switch (step) {
-      case Path::Step::Move:
-        put(points[0]);
-        out += "m\n";
-        return;
-      case Path::Step::Line:
-        put(points[0]);
-        out += "l\n";
-        return;
-      case Path::Step::Curve:
-        for (int i = 0; i < 3; ++i) put(points[i]);
-        out += "c\n";
-        return;
-      case Path::Step::Close:
-        out += "h\n";
-        return;
-    }
-  });
 }
 
 std::string place_text(const Placement& place) {
@@ -95,7 +68,7 @@ void PsCanvas::put_header(const PageSetup& page) {
   for (char32_t c = kFirstShared; c <= kLastShared; ++c) {
     const Glyph& glyph = *typeface().glyphs(std::string(1, static_cast<char>(c)))[0];
     text_ += fmt::format("/g{:x}{{\n", static_cast<std::uint32_t>(c));
-    append_path(text_, glyph.outline);
+    append_path_operators(text_, glyph.outline, kDigits);
     text_ += "}bind def\n";
   }
   text_ += "end\n%%EndProlog\n";
@@ -129,14 +102,14 @@ void PsCanvas::paint_ground(const Path& area) { fill(area, {}, {.gray = 1.0}); }
 
 void PsCanvas::fill(const Path& path, const Placement& place, const Ink& ink) {
   text_ += fmt::format("{} I {} P\n", number_text(ink.gray, 4), place_text(place));
-  append_path(text_, path);
+  append_path_operators(text_, path, kDigits);
   text_ += "F\n";
   put_if_large();
 }
 
 void PsCanvas::stroke(const Path& path, const Placement& place, const Pen& pen) {
   text_ += fmt::format("{} I {} P\n", number_text(pen.ink.gray, 4), place_text(place));
-  append_path(text_, path);
+  append_path_operators(text_, path, kDigits);
   text_ += fmt::format("{} S\n", number_text(pen.width_mm / place.unit_mm, kDigits));
   put_if_large();
 }
@@ -151,7 +124,7 @@ void PsCanvas::show_text(const TextLine& line) {
       if (c >= kFirstShared && c <= kLastShared) {
         text_ += fmt::format("g{:x} ", static_cast<std::uint32_t>(c));
       } else {
-        append_path(text_, glyph->outline);
+        append_path_operators(text_, glyph->outline, kDigits);
       }
       text_ += "F\n";
     }

@@ -2,7 +2,6 @@
 #include <tiffio.h>
 
 #include <algorithm>
-#include <cstdarg>
 #include <cstdio>
 #include <cstring>
 #include <memory>
@@ -11,16 +10,16 @@
 #include "io/gray.h"
 #include "io/image_codecs.h"
 #include "io/images.h"
+#include "io/tiff_messages.h"
 #include "tagmint/codec/errors.h"
 
 namespace tagmint::io {
 namespace {
 
 /// The bytes of a TIFF file, read as libtiff asks, and its first complaint.
-struct TiffSource {
+struct TiffSource : TiffMessages {
   std::string_view bytes;
   std::uint64_t at = 0;
-  char message[200] = {};
 };
 
 tmsize_t read_bytes(thandle_t handle, void* out, tmsize_t count) {
@@ -40,24 +39,10 @@ toff_t seek(thandle_t handle, toff_t offset, int whence) {
   return self.at = base + offset;
 }
 
-int note_error(TIFF*, void* user, const char*, const char* format, va_list arguments) {
-  auto& self = *static_cast<TiffSource*>(user);
-  if (self.message[0] == '\0') {
-    std::vsnprintf(self.message, sizeof(self.message), format, arguments);
-  }
-  return 1;  // handled: nothing is printed
-}
-
-int ignore_warning(TIFF*, void*, const char*, const char*, va_list) { return 1; }
-
 using Tiff = std::unique_ptr<TIFF, decltype(&TIFFClose)>;
 
 Tiff open(TiffSource& content) {
-  const std::unique_ptr<TIFFOpenOptions, decltype(&TIFFOpenOptionsFree)> options(
-      TIFFOpenOptionsAlloc(), &TIFFOpenOptionsFree);
-  if (!options) throw std::bad_alloc();
-  TIFFOpenOptionsSetErrorHandlerExtR(options.get(), note_error, &content);
-  TIFFOpenOptionsSetWarningHandlerExtR(options.get(), ignore_warning, &content);
+  const auto options = content.open_options();
   // No single table or strip of an image that is read is larger than all its pixels as RGBA.
   TIFFOpenOptionsSetMaxSingleMemAlloc(options.get(), tmsize_t{4} * kMaxPixels);
   return Tiff(
@@ -134,7 +119,8 @@ bool read_rgba(TIFF* tiff, detect::Image& image, TiffSource& content) {
 }  // namespace
 
 detect::Image decode_tiff(std::string_view bytes, const std::string& source) {
-  TiffSource content{.bytes = bytes};
+  TiffSource content;
+  content.bytes = bytes;
   const Tiff tiff = open(content);
   const auto fail = [&]() -> void {
     throw_damaged("TIFF", content.message[0] ? content.message : "it is cut short", source);

@@ -3,23 +3,21 @@
 #include <tiffio.h>
 
 #include <algorithm>
-#include <cstdarg>
-#include <cstdio>
 #include <cstring>
 #include <stdexcept>
 #include <string>
 
 #include "io/row_format.h"
+#include "io/tiff_messages.h"
 #include "tagmint/codec/errors.h"
 
 namespace tagmint::io {
 namespace {
 
 /// A file in memory that libtiff writes, and its first complaint.
-struct TiffTarget {
+struct TiffTarget : TiffMessages {
   std::string bytes;
   std::size_t at = 0;
-  char message[200] = {};
 };
 
 tmsize_t read_bytes(thandle_t handle, void* out, tmsize_t count) {
@@ -52,16 +50,6 @@ toff_t seek(thandle_t handle, toff_t offset, int whence) {
   return self.at;
 }
 
-int note_error(TIFF*, void* user, const char*, const char* format, va_list arguments) {
-  auto& self = *static_cast<TiffTarget*>(user);
-  if (self.message[0] == '\0') {
-    std::vsnprintf(self.message, sizeof(self.message), format, arguments);
-  }
-  return 1;  // handled: nothing is printed
-}
-
-int ignore_warning(TIFF*, void*, const char*, const char*, va_list) { return 1; }
-
 class TiffRowWriter final : public RowWriter {
  public:
   TiffRowWriter(const RowFormat& format, ByteSink sink) : format_(format), sink_(std::move(sink)) {
@@ -69,11 +57,7 @@ class TiffRowWriter final : public RowWriter {
     if (format.bits == 1 && format.transparent) {
       throw std::invalid_argument("a TIFF of 1 bit a pixel has no transparency; take 8 bits");
     }
-    const std::unique_ptr<TIFFOpenOptions, decltype(&TIFFOpenOptionsFree)> options(
-        TIFFOpenOptionsAlloc(), &TIFFOpenOptionsFree);
-    if (!options) throw std::bad_alloc();
-    TIFFOpenOptionsSetErrorHandlerExtR(options.get(), note_error, &target_);
-    TIFFOpenOptionsSetWarningHandlerExtR(options.get(), ignore_warning, &target_);
+    const auto options = target_.open_options();
     tiff_.reset(TIFFClientOpenExt(
         "", "wm", &target_, read_bytes, write_bytes, seek, [](thandle_t) { return 0; },
         [](thandle_t handle) -> toff_t { return static_cast<TiffTarget*>(handle)->bytes.size(); },
