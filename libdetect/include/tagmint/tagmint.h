@@ -24,6 +24,10 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#ifndef TAGMINT_API /* tagmint/codec/export.h says the same to C++ */
+#define TAGMINT_API __attribute__((visibility("default")))
+#endif
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -41,13 +45,13 @@ typedef enum tagmint_status {
 } tagmint_status;
 
 /* TAGMINT_C_VERSION and version ("0.1.0") of the library that is linked. Cannot fail. */
-int tagmint_c_version(void);
-const char* tagmint_version(void);
+TAGMINT_API int tagmint_c_version(void);
+TAGMINT_API const char* tagmint_version(void);
 
 /* What went wrong in the last call of this thread that returned an error: one line, what, where and
  * how to mend it; "" before the first one. Valid until the next call of this thread that fails.
  * Cannot fail. */
-const char* tagmint_last_error(void);
+TAGMINT_API const char* tagmint_last_error(void);
 
 /* ---- Families ------------------------------------------------------------------------------- */
 
@@ -67,37 +71,38 @@ typedef struct tagmint_family_info {
 
 /* How many families are bundled, and the name of each, by index from 0; NULL for another index.
  * Cannot fail. */
-size_t tagmint_bundled_count(void);
-const char* tagmint_bundled_name(size_t index);
+TAGMINT_API size_t tagmint_bundled_count(void);
+TAGMINT_API const char* tagmint_bundled_name(size_t index);
 
 /* The bundled family of that name. TAGMINT_ERROR_INPUT where there is none. */
-tagmint_status tagmint_family_find(const char* name, tagmint_family** family);
+TAGMINT_API tagmint_status tagmint_family_find(const char* name, tagmint_family** family);
 
 /* A bundled name or the path of a family file (docs/family-format.md). TAGMINT_ERROR_INPUT with
  * file and line. */
-tagmint_status tagmint_family_load(const char* name_or_path, tagmint_family** family);
+TAGMINT_API tagmint_status tagmint_family_load(const char* name_or_path, tagmint_family** family);
 
 /* A family from the text of a family file.
  *   text, size   size bytes, no zero needed at the end
  *   source       how messages call the text, for example its path
  * TAGMINT_ERROR_INPUT with source and line. */
-tagmint_status tagmint_family_parse(const char* text, size_t size, const char* source,
-                                    tagmint_family** family);
+TAGMINT_API tagmint_status tagmint_family_parse(const char* text, size_t size, const char* source,
+                                                tagmint_family** family);
 
-void tagmint_family_free(tagmint_family* family);
+TAGMINT_API void tagmint_family_free(tagmint_family* family);
 
-tagmint_status tagmint_family_get_info(const tagmint_family* family, tagmint_family_info* info);
+TAGMINT_API tagmint_status tagmint_family_get_info(const tagmint_family* family,
+                                                   tagmint_family_info* info);
 
 /* The codeword of a tag: bit 1 = white, first data cell in the highest of the `bits` low bits
  * (docs/layouts.md). TAGMINT_ERROR_ARGUMENT for an id that the family lacks. */
-tagmint_status tagmint_family_codeword(const tagmint_family* family, uint32_t id,
-                                       uint64_t* codeword);
+TAGMINT_API tagmint_status tagmint_family_codeword(const tagmint_family* family, uint32_t id,
+                                                   uint64_t* codeword);
 
 /* The cells of a tag, row by row from the top left: 'b' black, 'w' white, 'x' no cell.
  *   cells      room for `capacity` characters; width * width are written, and no zero after them
  * TAGMINT_ERROR_ARGUMENT for an id that the family lacks, or too little room. */
-tagmint_status tagmint_family_cells(const tagmint_family* family, uint32_t id, size_t capacity,
-                                    char* cells);
+TAGMINT_API tagmint_status tagmint_family_cells(const tagmint_family* family, uint32_t id,
+                                                size_t capacity, char* cells);
 
 /* ---- Decoding ------------------------------------------------------------------------------- */
 
@@ -117,16 +122,16 @@ typedef struct tagmint_match {
  *   max_errors      bit errors to correct, 0 .. what is safe for the ids, or TAGMINT_DEFAULT_ERRORS
  *   ids, id_count   those to recognise; NULL and 0 = all
  * TAGMINT_ERROR_ARGUMENT for more errors than are safe and for an id that the family lacks. */
-tagmint_status tagmint_decoder_create(const tagmint_family* family, int32_t max_errors,
-                                      const uint32_t* ids, size_t id_count,
-                                      tagmint_decoder** decoder);
+TAGMINT_API tagmint_status tagmint_decoder_create(const tagmint_family* family, int32_t max_errors,
+                                                  const uint32_t* ids, size_t id_count,
+                                                  tagmint_decoder** decoder);
 
-void tagmint_decoder_free(tagmint_decoder* decoder);
+TAGMINT_API void tagmint_decoder_free(tagmint_decoder* decoder);
 
 /* TAGMINT_NOTHING where no tag is within the errors that are corrected; TAGMINT_ERROR_ARGUMENT for
  * a word of more bits than the family has. */
-tagmint_status tagmint_decoder_decode(const tagmint_decoder* decoder, uint64_t word,
-                                      tagmint_match* match);
+TAGMINT_API tagmint_status tagmint_decoder_decode(const tagmint_decoder* decoder, uint64_t word,
+                                                  tagmint_match* match);
 
 /* ---- Detection ------------------------------------------------------------------------------ */
 
@@ -144,7 +149,7 @@ typedef struct tagmint_detector_options {
 
 /* Fills in the defaults, which stand last in the comments above. NULL is left alone. Cannot fail.
  */
-void tagmint_detector_options_init(tagmint_detector_options* options);
+TAGMINT_API void tagmint_detector_options_init(tagmint_detector_options* options);
 
 /* A gray picture of the caller's, 8 bits a pixel. */
 typedef struct tagmint_image {
@@ -173,22 +178,24 @@ typedef struct tagmint_detections tagmint_detections;
  *   options           NULL = the defaults
  * TAGMINT_ERROR_ARGUMENT for an option out of range, named in the message, and for options that
  * tagmint_detector_options_init() has not seen. */
-tagmint_status tagmint_detector_create(const tagmint_decoder* const* decoders, size_t count,
-                                       const tagmint_detector_options* options,
-                                       tagmint_detector** detector);
+TAGMINT_API tagmint_status tagmint_detector_create(const tagmint_decoder* const* decoders,
+                                                   size_t count,
+                                                   const tagmint_detector_options* options,
+                                                   tagmint_detector** detector);
 
-void tagmint_detector_free(tagmint_detector* detector);
+TAGMINT_API void tagmint_detector_free(tagmint_detector* detector);
 
 /* Finds all tags. TAGMINT_ERROR_ARGUMENT for a picture without data, with negative sides or with a
  * stride below its width; TAGMINT_ERROR_BUSY. No tag is no error: the count is 0. */
-tagmint_status tagmint_detector_detect(tagmint_detector* detector, const tagmint_image* image,
-                                       tagmint_detections** detections);
+TAGMINT_API tagmint_status tagmint_detector_detect(tagmint_detector* detector,
+                                                   const tagmint_image* image,
+                                                   tagmint_detections** detections);
 
-void tagmint_detections_free(tagmint_detections* detections);
+TAGMINT_API void tagmint_detections_free(tagmint_detections* detections);
 
 /* How many there are, and the first of them; 0 and NULL of NULL. Cannot fail. */
-size_t tagmint_detections_count(const tagmint_detections* detections);
-const tagmint_detection* tagmint_detections_data(const tagmint_detections* detections);
+TAGMINT_API size_t tagmint_detections_count(const tagmint_detections* detections);
+TAGMINT_API const tagmint_detection* tagmint_detections_data(const tagmint_detections* detections);
 
 /* ---- Poses ---------------------------------------------------------------------------------- */
 
@@ -216,8 +223,9 @@ typedef struct tagmint_pose_estimate {
  *   edge_m    side of the border square, metres, > 0
  * TAGMINT_NOTHING where the corners are degenerate or would lie behind the camera;
  * TAGMINT_ERROR_ARGUMENT for an impossible camera or edge. Any number of threads. */
-tagmint_status tagmint_estimate_pose(const double (*corners)[2], const tagmint_camera* camera,
-                                     double edge_m, tagmint_pose_estimate* pose);
+TAGMINT_API tagmint_status tagmint_estimate_pose(const double (*corners)[2],
+                                                 const tagmint_camera* camera, double edge_m,
+                                                 tagmint_pose_estimate* pose);
 
 #ifdef __cplusplus
 }

@@ -4,12 +4,14 @@
 #include <memory>
 #include <string_view>
 
+#include "tagmint/codec/export.h"
+
 namespace tagmint::codec {
 
 /// A file that appears whole or not at all: its content is written to a new file beside it, which
 /// is renamed at the end, or removed where that does not happen. What cannot be renamed over (a
 /// device, a pipe) is written directly. All members throw OutputError with the system's reason.
-class AtomicFile {
+class TAGMINT_API AtomicFile {
  public:
   explicit AtomicFile(const std::filesystem::path& path);
   ~AtomicFile();
@@ -33,6 +35,6 @@ class AtomicFile {
 };
 
 /// Writes `content` to an AtomicFile and publishes it. Throws OutputError.
-void write_file_atomically(const std::filesystem::path& path, std::string_view content);
+TAGMINT_API void write_file_atomically(const std::filesystem::path& path, std::string_view content);
 
 }  // namespace tagmint::codec

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <string>
 
+#include "tagmint/codec/export.h"
+
 namespace tagmint::codec {
 
 /// The data bits of one tag: 1 = white cell, 0 = black cell. The first data cell of the layout's
@@ -21,6 +23,6 @@ constexpr Codeword low_mask(int bits) {
 constexpr int hamming_distance(Codeword a, Codeword b) { return std::popcount(a ^ b); }
 
 /// "0x" and 16 lowercase hex digits, as family files write codewords.
-std::string to_hex(Codeword word);
+TAGMINT_API std::string to_hex(Codeword word);
 
 }  // namespace tagmint::codec

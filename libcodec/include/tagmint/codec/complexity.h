@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "tagmint/codec/codeword.h"
+#include "tagmint/codec/export.h"
 #include "tagmint/codec/layout.h"
 
 namespace tagmint::codec {
@@ -19,7 +20,7 @@ enum class ComplexityRule {
 };
 
 /// A complexity rule and its threshold. Text form: "rectangles:10", "energy:0.3333", "none".
-struct Complexity {
+struct TAGMINT_API Complexity {
   ComplexityRule rule = ComplexityRule::None;
   double threshold = 0.0;
   friend bool operator==(const Complexity&, const Complexity&) = default;
@@ -27,13 +28,13 @@ struct Complexity {
 
 /// Parses the text form: "rectangles:" and a whole number of at least 1, "energy:" and a share
 /// between 0 and 1, or "none". Throws std::invalid_argument with a suggestion for a misspelt rule.
-Complexity parse_complexity(std::string_view text);
+TAGMINT_API Complexity parse_complexity(std::string_view text);
 
 /// "rectangles", "energy" or "none".
-std::string_view rule_name(ComplexityRule rule);
+TAGMINT_API std::string_view rule_name(ComplexityRule rule);
 
 /// The text form; parse_complexity() turns it back.
-std::string to_string(const Complexity& complexity);
+TAGMINT_API std::string to_string(const Complexity& complexity);
 
 /// Number of rectangles that a greedy painter needs to draw the data cells of `word`
 /// (docs/lexicodes.md, "The rule"): each time the rectangle and colour that
@@ -42,15 +43,15 @@ std::string to_string(const Complexity& complexity);
 /// printed tag; cells that are not data never count as wrong. Not rotation invariant.
 ///   word     in the layout's codeword order
 ///   cost     O(rectangles * side^4) cell look-ups; use it last
-int count_rectangles(const Layout& layout, Codeword word);
+TAGMINT_API int count_rectangles(const Layout& layout, Codeword word);
 
 /// Number of colour changes between 4-neighbours over the whole rendered tag, border included,
 /// absent cells left out. Rotation invariant. Cost: O(width^2).
-int count_colour_changes(const Layout& layout, Codeword word);
+TAGMINT_API int count_colour_changes(const Layout& layout, Codeword word);
 
 /// Judges many words of one layout by one rule: tables are made once. Copyable, safe to share
 /// between threads.
-class ComplexityJudge {
+class TAGMINT_API ComplexityJudge {
  public:
   ComplexityJudge(const Layout& layout, const Complexity& complexity);
   /// Whether `word`, in codeword order, is complex enough.

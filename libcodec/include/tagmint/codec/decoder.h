@@ -7,12 +7,13 @@
 #include <vector>
 
 #include "tagmint/codec/codeword.h"
+#include "tagmint/codec/export.h"
 #include "tagmint/codec/family.h"
 
 namespace tagmint::codec {
 
 /// What an observed word was recognised as.
-struct Match {
+struct TAGMINT_API Match {
   TagId id = 0;
   int hamming = 0;  ///< bit errors between the observed word and the codeword
   int rotation =
@@ -35,7 +36,7 @@ enum class DecoderEngine {
                     ///< observed one are found without a list of them, at any radius
 };
 
-struct DecoderOptions {
+struct TAGMINT_API DecoderOptions {
   /// Bit errors to correct; nothing = min(2, the safe radius of the ids).
   std::optional<int> max_errors;
   /// Allow max_errors above the safe radius (h - 1) / 2. Then a word equally near to two tags is
@@ -48,7 +49,7 @@ struct DecoderOptions {
 
 /// Codeword -> nearest tag of one family, in any of the four rotations. Constant once made; share
 /// it between threads through std::shared_ptr<const Decoder>.
-class Decoder {
+class TAGMINT_API Decoder {
  public:
   /// Largest hash table that DecoderEngine::Auto makes: one that stays in the fastest caches. A
   /// larger one is slower than Chunks (docs/benchmarks.md).

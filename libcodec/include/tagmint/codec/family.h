@@ -9,6 +9,7 @@
 
 #include "tagmint/codec/codeword.h"
 #include "tagmint/codec/complexity.h"
+#include "tagmint/codec/export.h"
 #include "tagmint/codec/layout.h"
 #include "tagmint/codec/rotation_code.h"
 #include "tagmint/codec/tag_id.h"
@@ -18,7 +19,7 @@ namespace tagmint::codec {
 
 /// A prefix of the id list that is a code of its own: the first `codes` ids are `min_hamming`
 /// apart.
-struct Level {
+struct TAGMINT_API Level {
   std::size_t codes = 0;
   int min_hamming = 0;
   /// How many of the ids that the level adds to the one before it fail the family's complexity
@@ -28,7 +29,7 @@ struct Level {
 };
 
 /// How a family was made; free text, as family files carry it. Empty strings where it is not known.
-struct Origin {
+struct TAGMINT_API Origin {
   std::string method;    ///< "lexicode", "rotation-code"
   std::string order;     ///< "apriltag2", "apriltag3", "seed:N"
   std::string seed;      ///< decimal seed of the walk
@@ -38,7 +39,7 @@ struct Origin {
 };
 
 /// What a Family is made of; the arguments of its constructor by name.
-struct FamilyParts {
+struct TAGMINT_API FamilyParts {
   std::string name;
   Layout layout;
   int min_hamming = 0;
@@ -59,7 +60,7 @@ struct FamilyParts {
 ///
 /// Its codewords are *listed* one by one, or *generated* by a rotation code that may have millions
 /// of tags. codeword() and size() serve both.
-class Family {
+class TAGMINT_API Family {
  public:
   /// Throws std::invalid_argument when the name is empty or holds other characters than letters,
   /// digits, '_', '-', '.'; the distance is outside 1..bits; there are no codewords and no
@@ -110,13 +111,14 @@ using SharedFamily = std::shared_ptr<const Family>;
 
 /// The codewords of the ids from `first` on, at most `count` of them, in id order.
 /// Cost: some nanoseconds a codeword.
-std::vector<Codeword> some_codewords(const Family& family, TagId first, std::size_t count);
+TAGMINT_API std::vector<Codeword> some_codewords(const Family& family, TagId first,
+                                                 std::size_t count);
 
 /// The codewords of the first ids, at most `count` of them, in id order.
-std::vector<Codeword> first_codewords(const Family& family, std::size_t count);
+TAGMINT_API std::vector<Codeword> first_codewords(const Family& family, std::size_t count);
 
 /// The first `codes` tags as a family of listed codewords, with the levels that they reach into.
 ///   codes   1 to family.size()
-Family first_tags(const Family& family, std::size_t codes);
+TAGMINT_API Family first_tags(const Family& family, std::size_t codes);
 
 }  // namespace tagmint::codec

@@ -4,18 +4,19 @@
 #include <string>
 #include <vector>
 
+#include "tagmint/codec/export.h"
 #include "tagmint/codec/family.h"
 
 namespace tagmint::codec {
 
 /// The first place where a family breaks its own word.
-struct Violation {
+struct TAGMINT_API Violation {
   std::vector<TagId> ids;  ///< the tags concerned, one or two; none: the family as a whole
   std::string message;     ///< one line: what is wrong, with the figures
 };
 
 /// What check_family() established.
-struct FamilyCheck {
+struct TAGMINT_API FamilyCheck {
   std::optional<Violation> violation;
   std::vector<std::string>
       proven;  ///< one line for each property that holds, with the figure found
@@ -27,6 +28,6 @@ struct FamilyCheck {
 /// a generated family the distances are those between the words of its code, and all codewords are
 /// made for the other proofs and for the declared digest. The violation told is the one with the
 /// lowest ids. Cost: as family_stats(), some 0.3 us more a tag of a generated family.
-FamilyCheck check_family(const Family& family, int threads = 0);
+TAGMINT_API FamilyCheck check_family(const Family& family, int threads = 0);
 
 }  // namespace tagmint::codec

@@ -4,12 +4,13 @@
 #include <cstdint>
 #include <vector>
 
+#include "tagmint/codec/export.h"
 #include "tagmint/codec/family.h"
 
 namespace tagmint::codec {
 
 /// What the codes of one level of a family say about it.
-struct LevelStats {
+struct TAGMINT_API LevelStats {
   std::size_t codes = 0;
   /// Smallest distance between two of these tags, or of one and its own turns.
   int min_hamming = 0;
@@ -19,7 +20,7 @@ struct LevelStats {
 };
 
 /// What the codes of a family say about it, whatever the family declares.
-struct FamilyStats {
+struct TAGMINT_API FamilyStats {
   /// Of a listed family, distance_histogram[d] = number of pairs of different tags whose smallest
   /// distance over the rotations is d; bits + 1 entries. Empty for a generated one.
   std::vector<std::uint64_t> distance_histogram;
@@ -44,10 +45,10 @@ struct FamilyStats {
 /// many errors is an accident.
 ///   errors   0 to bits
 ///   cost     O(errors)
-double false_accept_rate(std::size_t codes, int bits, int errors);
+TAGMINT_API double false_accept_rate(std::size_t codes, int bits, int errors);
 
 /// Cost, shared by `threads` threads (0 = all cores): O(codes^2) word comparisons for a listed
 /// family; some 0.1 us a tag for a generated one.
-FamilyStats family_stats(const Family& family, int threads = 0);
+TAGMINT_API FamilyStats family_stats(const Family& family, int threads = 0);
 
 }  // namespace tagmint::codec

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "tagmint/codec/export.h"
+
 namespace tagmint::codec {
 
 /// What a place in the tag's grid is; the characters are those of family files.
@@ -17,7 +19,7 @@ enum class Cell : char {
 
 /// A place in a tag's grid, counted in cells from the top-left cell of the whole tag; x right, y
 /// down.
-struct CellPosition {
+struct TAGMINT_API CellPosition {
   int x = 0;
   int y = 0;
   friend bool operator==(const CellPosition&, const CellPosition&) = default;
@@ -30,7 +32,7 @@ struct CellPosition {
 /// square*: the place where a whole ring of black cells meets a whole ring of white cells. That
 /// edge is what a detector finds; its side is the
 /// `--edge` of every print. Where several rings meet so, the outermost counts.
-class Layout {
+class TAGMINT_API Layout {
  public:
   /// `rows`: the characters of Cell, row by row, with an optional '/' between rows, for example
   /// "wwwww/wbbbw/wbdbw/wbbbw/wwwww". Throws std::invalid_argument that names the row, the cell or

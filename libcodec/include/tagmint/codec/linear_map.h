@@ -6,12 +6,13 @@
 #include <vector>
 
 #include "tagmint/codec/codeword.h"
+#include "tagmint/codec/export.h"
 
 namespace tagmint::codec {
 
 /// A linear map over GF(2): words of at most 64 bits to words of at most 64 bits. One table of 256
 /// entries a byte of the argument, so that a product costs one look-up and one XOR a byte.
-class LinearMap {
+class TAGMINT_API LinearMap {
  public:
   /// The map that takes every word to 0.
   LinearMap() = default;

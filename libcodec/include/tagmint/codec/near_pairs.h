@@ -3,12 +3,13 @@
 #include <cstddef>
 #include <vector>
 
+#include "tagmint/codec/export.h"
 #include "tagmint/codec/family.h"
 
 namespace tagmint::codec {
 
 /// Two tags of a family that look much alike.
-struct NearPair {
+struct TAGMINT_API NearPair {
   TagId first = 0;
   TagId second = 0;  ///< above `first`
   int distance = 0;  ///< least of the four rotations
@@ -23,7 +24,7 @@ struct NearPair {
 ///   threads  0 = all cores; the result does not depend on it
 ///   cost     O(codes^2) where there are fewer than `most`, some 2 ns a pair and thread; else it
 ///            ends with the rows that hold them
-std::vector<NearPair> near_pairs(const Family& family, int within, std::size_t most,
-                                 int threads = 0);
+TAGMINT_API std::vector<NearPair> near_pairs(const Family& family, int within, std::size_t most,
+                                             int threads = 0);
 
 }  // namespace tagmint::codec

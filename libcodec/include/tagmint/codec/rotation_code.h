@@ -9,20 +9,21 @@
 #include <vector>
 
 #include "tagmint/codec/codeword.h"
+#include "tagmint/codec/export.h"
 #include "tagmint/codec/linear_map.h"
 
 namespace tagmint::codec {
 
 /// A part of a rotation code that is closed under quarter turns by itself: the sums of the first
 /// `dimension` words of the basis in the first `cosets` cosets.
-struct RotationCodeLevel {
+struct TAGMINT_API RotationCodeLevel {
   int dimension = 0;
   std::size_t cosets = 1;
   friend bool operator==(const RotationCodeLevel&, const RotationCodeLevel&) = default;
 };
 
 /// What a RotationCode is made of; the arguments of its constructor by name.
-struct RotationCodeParts {
+struct TAGMINT_API RotationCodeParts {
   /// Bits of a word, 1 to 64; bits % 4 is 0 or 1.
   int bits = 0;
   /// Independent words. The first `dimension` of them span a level.
@@ -44,7 +45,7 @@ struct RotationCodeParts {
 /// Its *tags* are the orbits of four different words; a word that a half turn maps to itself is
 /// none. Each word has an *address*; words, addresses and turns are found from one another by table
 /// look-ups. Constant once made; share it between threads through SharedRotationCode.
-class RotationCode {
+class TAGMINT_API RotationCode {
  public:
   /// coset << dimension() | message, where message bit i = basis[i] is part of the sum.
   using Address = std::uint64_t;

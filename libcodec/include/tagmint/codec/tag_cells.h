@@ -4,12 +4,13 @@
 #include <vector>
 
 #include "tagmint/codec/codeword.h"
+#include "tagmint/codec/export.h"
 #include "tagmint/codec/layout.h"
 
 namespace tagmint::codec {
 
 /// One tag as it is drawn: a square of cells that are Cell::Black, Cell::White or Cell::None.
-class TagCells {
+class TAGMINT_API TagCells {
  public:
   /// `cells`: row-major, width * width of them.
   TagCells(int width, std::vector<Cell> cells) : width_(width), cells_(std::move(cells)) {}
@@ -29,10 +30,10 @@ class TagCells {
 
 /// The picture of `word` in `layout`: the only description that drawing, rendering and tests use. A
 /// 1 bit is white.
-TagCells tag_cells(const Layout& layout, Codeword word);
+TAGMINT_API TagCells tag_cells(const Layout& layout, Codeword word);
 
 /// The word whose picture `cells` is. The inverse of tag_cells(); fixed cells are not looked at.
 /// Throws std::invalid_argument when the widths differ or a data cell is Cell::None.
-Codeword codeword_of(const Layout& layout, const TagCells& cells);
+TAGMINT_API Codeword codeword_of(const Layout& layout, const TagCells& cells);
 
 }  // namespace tagmint::codec

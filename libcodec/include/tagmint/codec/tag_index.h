@@ -7,6 +7,7 @@
 
 #include "tagmint/codec/codeword.h"
 #include "tagmint/codec/complexity.h"
+#include "tagmint/codec/export.h"
 #include "tagmint/codec/layout.h"
 #include "tagmint/codec/rotation_code.h"
 #include "tagmint/codec/tag_id.h"
@@ -22,7 +23,7 @@ namespace tagmint::codec {
 /// address by counting few words (docs/rotation-codes.md).
 ///
 /// Safe to share between threads. A level's part is made at the first use of one of its ids.
-class TagIndex {
+class TAGMINT_API TagIndex {
  public:
   /// Throws std::invalid_argument when the code is null or its words have not the layout's bits.
   TagIndex(SharedRotationCode code, const Layout& layout, const Complexity& rule);

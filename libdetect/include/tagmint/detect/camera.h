@@ -1,5 +1,6 @@
 #pragma once
 
+#include "tagmint/codec/export.h"
 #include "tagmint/detect/geometry.h"
 
 namespace tagmint::detect {
@@ -7,7 +8,7 @@ namespace tagmint::detect {
 /// Pinhole camera with Brown-Conrady distortion: x right, y down, z forward. Pixel coordinates as
 /// in ImageView, so a principal point measured with pixel centres at whole numbers (OpenCV) needs
 /// 0.5 added.
-struct Camera {
+struct TAGMINT_API Camera {
   double fx = 0;  ///< focal length, px, > 0
   double fy = 0;  ///< px, > 0
   double cx = 0;  ///< principal point, px
@@ -27,6 +28,6 @@ struct Camera {
 };
 
 /// Throws std::invalid_argument unless fx and fy are positive and all numbers finite.
-void check_camera(const Camera& camera);
+TAGMINT_API void check_camera(const Camera& camera);
 
 }  // namespace tagmint::detect

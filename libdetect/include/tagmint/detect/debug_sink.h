@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 
+#include "tagmint/codec/export.h"
 #include "tagmint/detect/detection.h"
 #include "tagmint/detect/geometry.h"
 #include "tagmint/detect/image_view.h"
@@ -12,7 +13,7 @@ namespace tagmint::detect {
 /// Takes the intermediate pictures of one detection. Each function is called at most once an image,
 /// in this order, from the thread that called detect(); what the arguments point to is valid during
 /// the call alone. Working pixels are those of the decimated image.
-class DebugSink {
+class TAGMINT_API DebugSink {
  public:
   virtual ~DebugSink() = default;
   /// The image that quads are looked for in: decimated and blurred.

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "tagmint/codec/export.h"
 #include "tagmint/detect/detector_options.h"
 
 namespace tagmint::detect {
@@ -29,12 +30,12 @@ enum class Stage {
   RefineTags
 };
 inline constexpr int kStages = 14;
-std::string_view name_of(Stage stage);
+TAGMINT_API std::string_view name_of(Stage stage);
 /// Whether an algorithm has the stage.
-bool belongs_to(Stage stage, Algorithm algorithm);
+TAGMINT_API bool belongs_to(Stage stage, Algorithm algorithm);
 
 /// What happened while one image went through, and why candidates fell away.
-struct DetectStats {
+struct TAGMINT_API DetectStats {
   // Algorithm::Paper
   std::int64_t components = 0;  ///< black and white components
   std::int64_t boundary_points = 0;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "tagmint/codec/export.h"
 #include "tagmint/codec/family.h"
 #include "tagmint/detect/geometry.h"
 #include "tagmint/detect/homography.h"
@@ -14,7 +15,7 @@ namespace tagmint::detect {
 using CornerCovariance = std::array<double, 64>;
 
 /// One tag found in an image. Coordinates are full-resolution pixels.
-struct Detection {
+struct TAGMINT_API Detection {
   codec::SharedFamily family;
   codec::TagId id = 0;
   int hamming = 0;  ///< corrected bit errors

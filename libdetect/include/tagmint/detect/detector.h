@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "tagmint/codec/decoder.h"
+#include "tagmint/codec/export.h"
 #include "tagmint/detect/debug_sink.h"
 #include "tagmint/detect/detect_stats.h"
 #include "tagmint/detect/detection.h"
@@ -17,7 +18,7 @@ namespace tagmint::detect {
 ///
 /// Owns its scratch memory, so one Detector serves one caller at a time; use one for each thread.
 /// Decoders (and through them families) are constant and may be shared by any number of detectors.
-class Detector {
+class TAGMINT_API Detector {
  public:
   /// `decoders`: one for each family to look for; the correction radius and the ids in use are
   /// theirs. Throws std::invalid_argument when there is none, one is null, or an option is out of

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "tagmint/codec/export.h"
 #include "tagmint/detect/camera.h"
 
 namespace tagmint::detect {
@@ -14,7 +15,7 @@ enum class Algorithm {
 
 /// Settings of a Detector, by stage. Defaults suit a noisy camera; figures without a source are the
 /// reference detector's documented ones.
-struct DetectorOptions {
+struct TAGMINT_API DetectorOptions {
   Algorithm algorithm = Algorithm::Tracker;
 
   // Stage 1, preprocessing.

@@ -3,10 +3,12 @@
 #include <array>
 #include <cmath>
 
+#include "tagmint/codec/export.h"
+
 namespace tagmint::detect {
 
 /// A place or a direction in the plane; pixels unless said otherwise.
-struct Point {
+struct TAGMINT_API Point {
   double x = 0;
   double y = 0;
 
@@ -32,6 +34,6 @@ inline constexpr std::array<Point, 4> kTagCorners = {
 
 /// Signed area by the shoelace formula; negative for corners in counter-clockwise order as seen (y
 /// down).
-double signed_area(const Corners& corners);
+TAGMINT_API double signed_area(const Corners& corners);
 
 }  // namespace tagmint::detect

@@ -3,13 +3,14 @@
 #include <array>
 #include <optional>
 
+#include "tagmint/codec/export.h"
 #include "tagmint/detect/geometry.h"
 
 namespace tagmint::detect {
 
 /// A projective map of the plane, row-major 3 x 3. Maps tag to image unless named otherwise: the
 /// border square is [-1,1]^2 with y down, the image is in pixels.
-class Homography {
+class TAGMINT_API Homography {
  public:
   Homography() : h_{1, 0, 0, 0, 1, 0, 0, 0, 1} {}
   explicit Homography(const std::array<double, 9>& row_major) : h_(row_major) {}

@@ -3,12 +3,13 @@
 #include <cstdint>
 #include <vector>
 
+#include "tagmint/codec/export.h"
 #include "tagmint/detect/image_view.h"
 
 namespace tagmint::detect {
 
 /// A gray image that owns its pixels: 8 bits each, rows without padding.
-class Image {
+class TAGMINT_API Image {
  public:
   Image() = default;
   /// All pixels `value`. Throws std::invalid_argument when a side is negative.

@@ -4,12 +4,14 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "tagmint/codec/export.h"
+
 namespace tagmint::detect {
 
 /// A gray image that somebody else owns: 8 bits a pixel, rows `stride` bytes apart (negative =
 /// bottom row first). Pixel (0, 0) covers [0,1) x [0,1), its centre is (0.5, 0.5); x right, y down
 /// (docs/conventions.md).
-struct ImageView {
+struct TAGMINT_API ImageView {
   const std::uint8_t* data = nullptr;
   int width = 0;
   int height = 0;

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "tagmint/codec/export.h"
 #include "tagmint/detect/image.h"
 #include "tagmint/detect/image_view.h"
 
@@ -12,7 +13,7 @@ namespace tagmint::detect {
 /// data[y * stride + x * step + c]. Covers gray and luma planes (step 1), interleaved gray, RGB,
 /// BGR and their kinds with alpha, packed luma such as YUYV (step 2), single planes of planar
 /// pictures, and rows in any order (negative stride).
-struct PixelView {
+struct TAGMINT_API PixelView {
   const std::uint8_t* data = nullptr;
   int width = 0;
   int height = 0;
@@ -29,6 +30,6 @@ struct PixelView {
 ///   returns   a view of the pixels or of `scratch`
 ///   errors    std::invalid_argument when there are pixels but no data
 ///   cost      one pass over the pixels
-ImageView gray_view(const PixelView& pixels, Image& scratch);
+TAGMINT_API ImageView gray_view(const PixelView& pixels, Image& scratch);
 
 }  // namespace tagmint::detect

@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 
+#include "tagmint/codec/export.h"
 #include "tagmint/detect/camera.h"
 #include "tagmint/detect/detection.h"
 #include "tagmint/detect/geometry.h"
@@ -17,7 +18,7 @@ using PoseCovariance = std::array<double, 36>;
 /// Where a tag is, seen from the camera: point_in_camera = R * point_in_tag + t. Tag frame: origin
 /// in the middle of the border square, x right, y down, z away from the viewer; R = I for a frontal
 /// upright tag. Camera: x right, y down, z forward.
-struct Pose {
+struct TAGMINT_API Pose {
   std::array<double, 9> R{1, 0, 0, 0, 1, 0, 0, 0, 1};  ///< rotation matrix, row-major
   std::array<double, 3> t{};                           ///< metres
   double error = 0;  ///< mean squared object-space error of the four corners, m^2 [Lu2000]
@@ -30,7 +31,7 @@ struct Pose {
 
 /// A planar target has up to two poses that explain its corners about equally well
 /// [Schweighofer2006].
-struct PoseEstimate {
+struct TAGMINT_API PoseEstimate {
   Pose best;                        ///< the one with the smaller error
   std::optional<Pose> alternative;  ///< the other local minimum where there is one
   /// How probable it is that the alternative is the true one, 0 .. 1/2, from the two chi-squared;
@@ -53,8 +54,8 @@ struct PoseEstimate {
 ///   returns      nothing when the corners are degenerate or would lie behind the camera
 ///   errors       std::invalid_argument for an impossible camera or edge
 ///   cost         about 100 iterations on four points
-std::optional<PoseEstimate> estimate_pose(const Corners& corners, const Camera& camera,
-                                          double edge_m,
-                                          const std::optional<CornerCovariance>& covariance = {});
+TAGMINT_API std::optional<PoseEstimate> estimate_pose(
+    const Corners& corners, const Camera& camera, double edge_m,
+    const std::optional<CornerCovariance>& covariance = {});
 
 }  // namespace tagmint::detect

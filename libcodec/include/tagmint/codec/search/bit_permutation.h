@@ -5,12 +5,13 @@
 #include <vector>
 
 #include "tagmint/codec/codeword.h"
+#include "tagmint/codec/export.h"
 #include "tagmint/codec/layout.h"
 
 namespace tagmint::codec {
 
 /// A fixed rearrangement of the bits of a word. Hamming distances do not change under it.
-class BitPermutation {
+class TAGMINT_API BitPermutation {
  public:
   /// Bit i of the input (0 = least significant) becomes bit `target[i]` of the output.
   /// Throws std::invalid_argument unless `target` holds 0 .. size-1 once each, size at most 64.
@@ -43,6 +44,6 @@ class BitPermutation {
 /// From codeword order to reading order: the data cells row by row from the top left of the printed
 /// tag, the first the most significant bit. The classic families were searched in this order; old
 /// tables give their codes in it.
-BitPermutation reading_order(const Layout& layout);
+TAGMINT_API BitPermutation reading_order(const Layout& layout);
 
 }  // namespace tagmint::codec

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "tagmint/codec/export.h"
 #include "tagmint/codec/search/crew.h"
 #include "tagmint/codec/search/lexicode.h"
 #include "tagmint/codec/search/search_state.h"
@@ -14,7 +15,7 @@ namespace tagmint::codec {
 
 /// The searches that a checkpoint belongs to: `attempts` of them by the same rules, the first in
 /// the order that the rules give.
-struct CheckpointParameters {
+struct TAGMINT_API CheckpointParameters {
   SearchRules rules;
   int attempts = 1;
   /// Of each attempt, where there are several: attempts that went differently far cannot be
@@ -24,7 +25,7 @@ struct CheckpointParameters {
 };
 
 /// How far these searches are.
-struct CheckpointContent {
+struct TAGMINT_API CheckpointContent {
   std::vector<LexicodeResult> finished;  ///< the attempts that are done, in order
   SearchState state;                     ///< of the one that is not
 };
@@ -40,7 +41,7 @@ struct CheckpointContent {
 /// ten seconds: a killed program loses the former, a machine without power the latter. A record
 /// that was cut off is left out when the file is read; a changed one is refused. One search at a
 /// time may use a file.
-class Checkpoint {
+class TAGMINT_API Checkpoint {
  public:
   /// Begins a new file. Throws OutputError when it cannot be written or exists already.
   static Checkpoint begin(const std::filesystem::path& path,

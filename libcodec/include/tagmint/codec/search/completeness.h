@@ -5,12 +5,13 @@
 #include <stop_token>
 
 #include "tagmint/codec/codeword.h"
+#include "tagmint/codec/export.h"
 #include "tagmint/codec/family.h"
 #include "tagmint/codec/search/crew.h"
 
 namespace tagmint::codec {
 
-struct CompletenessOptions {
+struct TAGMINT_API CompletenessOptions {
   /// 0 = all cores.
   int threads = 0;
   /// Asks the proof to end early.
@@ -23,7 +24,7 @@ struct CompletenessOptions {
 };
 
 /// What prove_complete() established.
-struct Completeness {
+struct TAGMINT_API Completeness {
   bool stopped = false;  ///< ended early; nothing is known
   /// A word that could be added to the family; none = the family is complete, unless stopped.
   std::optional<Codeword> addable;
@@ -37,6 +38,7 @@ struct Completeness {
 ///   cost     as phase 2 of search_lexicode(): 36 bits seconds, 41 bits a minute, beyond about 45
 ///            bits hours, 64 bits never; a family that is far from complete a moment
 ///   memory   of the crew, and 32 bytes for each open tag that a round of 0.2 s finds
-Completeness prove_complete(const Family& family, const CompletenessOptions& options = {});
+TAGMINT_API Completeness prove_complete(const Family& family,
+                                        const CompletenessOptions& options = {});
 
 }  // namespace tagmint::codec

@@ -9,13 +9,14 @@
 
 #include "tagmint/codec/codeword.h"
 #include "tagmint/codec/complexity.h"
+#include "tagmint/codec/export.h"
 #include "tagmint/codec/layout.h"
 #include "tagmint/codec/search/order.h"
 
 namespace tagmint::codec {
 
 /// What decides the result of a search: all that those who work on it have to agree on.
-struct SearchRules {
+struct TAGMINT_API SearchRules {
   Layout layout;
   int min_hamming = 0;
   Order order = {};
@@ -23,13 +24,13 @@ struct SearchRules {
 };
 
 /// A word of the walk that may become a code.
-struct KeptWord {
+struct TAGMINT_API KeptWord {
   std::uint64_t index = 0;  ///< in the walk; index i is walk position i + 1
   Codeword word = 0;        ///< as a codeword
 };
 
 /// What is left of a stretch of the walk.
-struct SiftedWords {
+struct TAGMINT_API SiftedWords {
   std::vector<KeptWord> kept;  ///< ascending by index
   /// Words far enough from the codes and from their own turns; those of them that are complex
   /// enough are kept.
@@ -39,7 +40,7 @@ struct SiftedWords {
 /// Those who do the work of a search, which one leader divides into rounds and decides about: the
 /// threads of this process (local_crew()), or many processes on many machines. The leader calls
 /// from one thread.
-class SearchCrew {
+class TAGMINT_API SearchCrew {
  public:
   virtual ~SearchCrew() = default;
 
@@ -63,11 +64,11 @@ class SearchCrew {
 };
 
 /// Number of subtrees that the space of all words of so many bits is cut into; bits in 16..63.
-std::uint64_t subtree_count(int bits);
+TAGMINT_API std::uint64_t subtree_count(int bits);
 
 /// A crew of `threads` threads of this process; 0 = all cores.
 ///   memory  the codes once a thread; for list_open() the lists of OpenWordTree for each thread
-std::unique_ptr<SearchCrew> local_crew(const SearchRules& rules, int threads);
+TAGMINT_API std::unique_ptr<SearchCrew> local_crew(const SearchRules& rules, int threads);
 
 using CrewMaker = std::function<std::unique_ptr<SearchCrew>(const SearchRules&, int threads)>;
 

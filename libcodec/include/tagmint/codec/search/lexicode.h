@@ -9,6 +9,7 @@
 
 #include "tagmint/codec/codeword.h"
 #include "tagmint/codec/complexity.h"
+#include "tagmint/codec/export.h"
 #include "tagmint/codec/family.h"
 #include "tagmint/codec/layout.h"
 #include "tagmint/codec/search/crew.h"
@@ -18,7 +19,7 @@
 namespace tagmint::codec {
 
 /// Where a running search stands.
-struct SearchProgress {
+struct TAGMINT_API SearchProgress {
   SearchPhase phase = SearchPhase::Walk;
   int phases = 1;  ///< 1: a walk to the end; 3: docs/lexicodes.md
   /// Words walked, words of the space listed, or words of the walk that the choice has passed; and
@@ -32,7 +33,7 @@ struct SearchProgress {
   double elapsed_s = 0;
 };
 
-struct LexicodeOptions {
+struct TAGMINT_API LexicodeOptions {
   Layout layout;
   int min_hamming = 0;
   Order order = {};
@@ -57,12 +58,12 @@ struct LexicodeOptions {
 };
 
 /// The part of the options that decides what is found, limits apart.
-SearchRules rules_of(const LexicodeOptions& options);
+TAGMINT_API SearchRules rules_of(const LexicodeOptions& options);
 
 /// Why a search ended.
 enum class SearchEnd { Complete, LimitWords, LimitCodes, TimeLimit, Stopped };
 
-struct LexicodeResult {
+struct TAGMINT_API LexicodeResult {
   std::vector<Codeword> codewords;   ///< in the order found, in codeword order of bits
   std::uint64_t words_searched = 0;  ///< walk positions 1 .. this were judged (2^64 is given as 0)
   SearchEnd end = SearchEnd::Complete;
@@ -80,11 +81,11 @@ struct LexicodeResult {
 ///            bits a minute, beyond about 45 bits hours
 ///   memory   8 bytes for each of up to 2^26 tags that are still possible, 0.3 GB, and some 20 MB a
 ///            thread
-LexicodeResult search_lexicode(const LexicodeOptions& options, SearchState start = {});
+TAGMINT_API LexicodeResult search_lexicode(const LexicodeOptions& options, SearchState start = {});
 
 /// The family that a finished search gives; `name` empty = "tag" + layout prefix + bits + "h" +
 /// distance. Throws std::invalid_argument when no code was found.
-Family make_family(const LexicodeOptions& options, const LexicodeResult& result,
-                   std::string name = {});
+TAGMINT_API Family make_family(const LexicodeOptions& options, const LexicodeResult& result,
+                               std::string name = {});
 
 }  // namespace tagmint::codec

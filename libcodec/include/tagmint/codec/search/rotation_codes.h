@@ -8,20 +8,21 @@
 #include <vector>
 
 #include "tagmint/codec/complexity.h"
+#include "tagmint/codec/export.h"
 #include "tagmint/codec/family.h"
 #include "tagmint/codec/layout.h"
 
 namespace tagmint::codec {
 
 /// Where a running search for a rotation code stands.
-struct RotationCodeProgress {
+struct TAGMINT_API RotationCodeProgress {
   std::size_t tries_done = 0;  ///< of the present step: constructions times attempts
   std::size_t tries = 0;
   std::string step;  ///< "codes", "free codes", "inner levels", "unions of cosets"
   double tags = 0;   ///< of the largest code so far
 };
 
-struct RotationCodeOptions {
+struct TAGMINT_API RotationCodeOptions {
   Layout layout;
   int min_hamming = 0;
   /// Distances of inner levels, all above min_hamming, any order. Empty: a family as large as
@@ -40,7 +41,7 @@ struct RotationCodeOptions {
   std::function<void(const RotationCodeProgress&)> progress = {};
 };
 
-struct RotationCodeResult {
+struct TAGMINT_API RotationCodeResult {
   /// Without a name. Levels with their true distances; a generator where there are more than
   /// kMostListedTags tags, else codewords.
   FamilyParts parts;
@@ -70,10 +71,10 @@ inline constexpr std::size_t kMostListedTags = 1024;
 ///   errors   std::invalid_argument for distances outside 1..bits, levels not above min_hamming,
 ///            no attempts
 ///   cost     seconds to a minute an attempt
-RotationCodeResult search_rotation_code(const RotationCodeOptions& options);
+TAGMINT_API RotationCodeResult search_rotation_code(const RotationCodeOptions& options);
 
 /// The family of a result that found one; `name` empty = "rot" + bits + "h" + distance, with
 /// the layout's prefix.
-Family make_family(RotationCodeResult result, std::string name = {});
+TAGMINT_API Family make_family(RotationCodeResult result, std::string name = {});
 
 }  // namespace tagmint::codec

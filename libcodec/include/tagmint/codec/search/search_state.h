@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tagmint/codec/codeword.h"
+#include "tagmint/codec/export.h"
 
 namespace tagmint::codec {
 
@@ -17,7 +18,7 @@ enum class SearchPhase {
 };
 
 /// What one round of a search adds to its state.
-struct SearchStep {
+struct TAGMINT_API SearchStep {
   SearchPhase phase = SearchPhase::Walk;
   /// How far the phase is now: words walked, subtrees listed, walk position up to which the choice
   /// is made.
@@ -27,7 +28,7 @@ struct SearchStep {
 };
 
 /// How far a search is; enough to go on from.
-struct SearchState {
+struct TAGMINT_API SearchState {
   SearchPhase phase = SearchPhase::Walk;
   std::uint64_t words_walked = 0;
   std::vector<Codeword> codewords = {};  ///< found so far, in order

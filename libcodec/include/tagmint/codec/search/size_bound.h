@@ -2,10 +2,12 @@
 
 #include <string>
 
+#include "tagmint/codec/export.h"
+
 namespace tagmint::codec {
 
 /// How many tags a family can have, and which argument says so.
-struct SizeBound {
+struct TAGMINT_API SizeBound {
   double tags = 0;     ///< whole number; beyond 2^53 rounded up to the next double
   std::string source;  ///< such as "linear programming" or "2 times Johnson at 23 bits"
 };
@@ -21,6 +23,6 @@ struct SizeBound {
 ///   source    [MacWilliamsSloane1977], chapter 17: sphere packing, Singleton, Plotkin, Johnson,
 ///             A(n, 2r - 1) = A(n + 1, 2r), A(n, d) <= 2 A(n - 1, d); [Delsarte1973];
 ///             [GijswijtMittelmannSchrijver2012]
-SizeBound upper_bound_of_tags(int bits, int distance);
+TAGMINT_API SizeBound upper_bound_of_tags(int bits, int distance);
 
 }  // namespace tagmint::codec
