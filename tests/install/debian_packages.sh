@@ -21,7 +21,7 @@ for name in "libtagmint$abi" libtagmint-dev tagmint; do
   dpkg -x "$file" "$work/root"
   packages+=("$PWD/$file")
 done
-[ "$(find . -name '*.deb' | wc -l)" -eq 3 ]
+[ "$(find . -maxdepth 1 -name '*.deb' | wc -l)" -eq 3 ]
 
 # What each needs was found from its binaries, and is named by package.
 depends() { dpkg-deb -f "$1"_*.deb Depends; }

@@ -17,7 +17,7 @@ build_consumer() {
   "$work/$1/$1"
 }
 build_consumer consumer
-[ ! -e "$work/prefix/lib/libtagmint.so" ] || build_consumer consumer -DLIBRARY=tagmint::tagmint
+[ -z "$(find "$work/prefix" -name libtagmint.so)" ] || build_consumer consumer -DLIBRARY=tagmint::tagmint
 build_consumer c_consumer -DPROGRAM="$root/docs/examples/c_api.c"
 
 # The program that README shows is this one.
