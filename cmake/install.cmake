@@ -42,6 +42,17 @@ endif()
 
 if(TAGMINT_BUILD_TOOLS)
   install(TARGETS tagmint COMPONENT tools)
+  install(DIRECTORY ${TAGMINT_MANUAL_DIR}/man/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1
+          COMPONENT tools)
+  install(FILES ${TAGMINT_MANUAL_DIR}/tagmint.bash RENAME tagmint COMPONENT tools
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+  # Debian's zsh looks into the first in /usr/local, into the second in /usr.
+  foreach(folder IN ITEMS site-functions vendor-completions)
+    install(FILES ${TAGMINT_MANUAL_DIR}/_tagmint COMPONENT tools
+            DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/${folder})
+  endforeach()
+  install(FILES ${TAGMINT_MANUAL_DIR}/tagmint.fish COMPONENT tools
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
   install(DIRECTORY families/ DESTINATION ${CMAKE_INSTALL_DATADIR}/tagmint/families
           COMPONENT tools FILES_MATCHING PATTERN "*.json" PATTERN extract EXCLUDE)
 endif()

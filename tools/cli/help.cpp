@@ -56,20 +56,6 @@ std::string option_name(const CLI::Option& option) {
   return option.get_positional() ? option.get_name(true, false) : option.get_name(false, true);
 }
 
-/// The type of its value, "FILE"; empty for flags and positionals.
-std::string value_type(const CLI::Option& option) {
-  const bool takes_value = !option.get_positional() && option.get_items_expected_max() > 0;
-  return takes_value ? type_name(option) : "";
-}
-
-/// The default as the help shows it; empty for none.
-std::string shown_default(const CLI::Option& option) {
-  const std::string value = option.get_default_str();
-  const bool shown =
-      !option.get_required() && !value.empty() && value != "[]" && value != "{}" && value != "\"\"";
-  return shown ? value : "";
-}
-
 /// Options in a row of the help: those that follow each other with the same description.
 struct HelpRow {
   const CLI::Option* first;
@@ -122,7 +108,21 @@ std::vector<HelpRow> help_rows(const CLI::App& app) {
   return rows;
 }
 
-std::string usage_line(const Command& command, const CLI::App& app) {
+}  // namespace
+
+std::string value_type(const CLI::Option& option) {
+  const bool takes_value = !option.get_positional() && option.get_items_expected_max() > 0;
+  return takes_value ? type_name(option) : "";
+}
+
+std::string shown_default(const CLI::Option& option) {
+  const std::string value = option.get_default_str();
+  const bool shown =
+      !option.get_required() && !value.empty() && value != "[]" && value != "{}" && value != "\"\"";
+  return shown ? value : "";
+}
+
+std::string command_usage(const Command& command, const CLI::App& app) {
   std::string line = fmt::format("usage: tagmint {}", command.name);
   for (const CLI::Option* option : app.get_options()) {
     if (option->get_positional() || !option->get_required()) continue;
@@ -139,7 +139,9 @@ std::string usage_line(const Command& command, const CLI::App& app) {
   return line + "\n";
 }
 
-}  // namespace
+std::string command_about(const Command& command, const CLI::App& app) {
+  return fmt::format("tagmint {}: {}. {}", command.name, command.summary, app.get_description());
+}
 
 std::string program_help(std::span<const Command> commands) {
   std::string text =
@@ -165,10 +167,9 @@ std::string program_help(std::span<const Command> commands) {
 
 std::string command_help(const Command& command, const CLI::App& app) {
   std::string text;
-  const std::string about =
-      fmt::format("tagmint {}: {}. {}", command.name, command.summary, app.get_description());
-  for (const std::string& line : wrapped(about, kColumns)) text += line + "\n";
-  text += "\n" + usage_line(command, app);
+  for (const std::string& line : wrapped(command_about(command, app), kColumns))
+    text += line + "\n";
+  text += "\n" + command_usage(command, app);
   std::string arguments, options, common, heading;
   for (const HelpRow& row : help_rows(app)) {
     const std::string& group = row.first->get_group();

@@ -26,6 +26,11 @@ UsageError not_in_list(std::string_view word, std::string_view option,
 
 }  // namespace
 
+std::span<const std::string> progress_words() {
+  static const std::vector<std::string> words = {"auto", "always", "never", "json"};
+  return words;
+}
+
 void add_common_options(CLI::App& app, Common& common) {
   app.add_option("--threads", common.threads, "number of threads; 0 = all cores")
       ->type_name("N")
@@ -33,10 +38,10 @@ void add_common_options(CLI::App& app, Common& common) {
       ->group("Common options");
   app.add_flag("--quiet", common.quiet, "no messages and no progress on stderr")
       ->group("Common options");
-  const std::vector<std::string> words = {"auto", "always", "never", "json"};
   app.add_option_function<std::string>(
          "--progress",
-         [&common, words](const std::string& word) {
+         [&common](const std::string& word) {
+           const std::span<const std::string> words = progress_words();
            const auto place = std::find(words.begin(), words.end(), word);
            if (place == words.end()) throw not_in_list(word, "--progress", words);
            common.progress = static_cast<ProgressMode>(place - words.begin());

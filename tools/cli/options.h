@@ -17,6 +17,9 @@ class Option;
 
 namespace tagmint::cli {
 
+/// What --progress takes, in the order of ProgressMode.
+std::span<const std::string> progress_words();
+
 /// Adds --threads, --quiet and --progress.
 void add_common_options(CLI::App& app, Common& common);
 
