@@ -11,7 +11,9 @@ build=(build-essential cmake ninja-build pkg-config
        libpoppler-glib-dev librsvg2-dev fonts-dejavu-core poppler-utils)
 test=(ccache libgtest-dev clang clang-format-14 libclang-rt-14-dev libboost-mpi-dev openmpi-bin
       libapriltag-dev libopencv-dev librsvg2-bin qpdf libxml2-utils python3-yaml ghostscript
-      chromium)
+      chromium zsh fish man-db groff-base
+      python3-pybind11 pybind11-dev python3-numpy python3-venv python3-pip python3-setuptools
+      python3-wheel python3-mypy doxygen graphviz gcovr clang-tidy-14 cppcheck)
 
 case "${1:-}" in
   build) wanted=("${build[@]}") ;;

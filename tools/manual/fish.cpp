@@ -52,7 +52,8 @@ std::string fish_completion(std::span<const CommandEntry> table) {
       for (const std::string& name : entry.names) {
         line += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
       }
-      if (entry.takes_value()) line += " -r" + offer_arguments(entry);
+      const bool files = entry.offer == Offer::Files || entry.offer == Offer::Families;
+      if (entry.takes_value()) line += (files ? " -r" : " -x") + offer_arguments(entry);
       add(fmt::format("{} -d {}", line, quoted(entry.description)));
     }
     if (const Entry* argument = offered_argument(command)) add(here + offer_arguments(*argument));

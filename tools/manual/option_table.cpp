@@ -90,9 +90,11 @@ std::vector<CommandEntry> option_table() {
     for (const CLI::Option* option : app.get_options()) {
       if (!option->get_group().empty()) entry.entries.push_back(entry_of(*option));
     }
-    entry.entries.push_back({.names = {"-h", "--help"},
-                             .description = "a shorter form of this text",
-                             .group = entry.entries.back().group});
+    Entry help;
+    help.names = {"-h", "--help"};
+    help.description = "a shorter form of this text";
+    help.group = entry.entries.back().group;
+    entry.entries.push_back(std::move(help));
     table.push_back(std::move(entry));
   }
   return table;
