@@ -47,7 +47,7 @@ std::string as_csv(std::span<const Row> rows) {
   for (const Row& row : rows) {
     const Score& s = row.score;
     fmt::format_to(std::back_inserter(text),
-                   "{},{},{},{},{},{},{:.5f},{:.5f},{:.5f},{:.6f},{:.5f},{:.4f}\n", row.set,
+                   "{},\"{}\",{},{},{},{},{:.5f},{:.5f},{:.5f},{:.6f},{:.5f},{:.4f}\n", row.set,
                    row.contender, row.pictures, s.tags, s.found, s.false_ids,
                    quantile(s.corner_errors_px, 0.5), quantile(s.corner_errors_px, 0.95),
                    trimmed_mean(s.radial_errors_px), trimmed_mean(s.size_errors),
