@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <charconv>
-#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -12,6 +10,7 @@
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/render_plan.h"
+#include "cli/seed_option.h"
 #include "cli/terminal.h"
 #include "io/images.h"
 #include "scene/render.h"
@@ -19,17 +18,6 @@
 
 namespace tagmint::cli {
 namespace {
-
-std::uint64_t parse_seed(std::string_view text) {
-  std::uint64_t seed = 0;
-  const char* end_of_text = text.data() + text.size();
-  const auto [end, error] = std::from_chars(text.data(), end_of_text, seed);
-  if (error != std::errc() || end != end_of_text) {
-    throw UsageError(fmt::format("'{}' is not a seed", text), "--seed",
-                     "write a whole number from 0 to 18446744073709551615");
-  }
-  return seed;
-}
 
 int run(const RenderArguments& arguments, const Common& common) {
   const std::vector<std::string> formats = {"png", "pgm", "pnm"};
@@ -127,12 +115,7 @@ void add_random_options(CLI::App& app, RenderArguments& arguments) {
       ->type_name("G")
       ->check(number_between(0.1, 10))
       ->group(group);
-  app.add_option_function<std::string>(
-         "--seed", [&random](const std::string& text) { random.seed = parse_seed(text); },
-         "another seed, another scene")
-      ->default_str(fmt::format("{}", random.seed))
-      ->type_name("N")
-      ->group(group);
+  add_seed(app, random.seed)->group(group);
 }
 
 std::vector<std::string> given_random_options(const CLI::App& app) {

@@ -9,6 +9,7 @@
 #include "cli/cmd_decode.h"
 #include "cli/cmd_detect.h"
 #include "cli/cmd_encode.h"
+#include "cli/cmd_evaluate.h"
 #include "cli/cmd_families.h"
 #include "cli/cmd_generate.h"
 #include "cli/cmd_identify.h"
@@ -37,6 +38,7 @@ std::span<const Command> command_table() {
       render_command(),
       detect_command(),
       identify_command(),
+      evaluate_command(),
   };
   // clang-format on
   return table;

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "evaluate/experiment.h"
+
+namespace tagmint::evaluate {
+
+// One function an experiment, each in a file of its own.
+ExperimentKind distance_kind();
+ExperimentKind angle_kind();
+ExperimentKind range_kind();
+
+}  // namespace tagmint::evaluate

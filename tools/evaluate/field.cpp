@@ -1,0 +1,58 @@
+#include "evaluate/field.h"
+
+#include "evaluate/experiment.h"
+#include "scene/render.h"
+
+namespace tagmint::evaluate {
+
+Field::Field(const Settings& settings, const codec::SharedFamily& family,
+             const std::vector<double>& decimations) {
+  std::vector<std::unique_ptr<Contender>> first;
+  for (const double decimate : decimations) {
+    for (const ContenderKind& kind : settings.contenders) {
+      const Task task{.family = family,
+                      .decimate = decimate,
+                      .max_hamming = usual_max_hamming(*family)};
+      std::unique_ptr<Contender> detector = kind.make(task);
+      if (detector == nullptr) continue;
+      entrants_.push_back({kind.name, decimate});
+      makers_.emplace_back([make = kind.make, task] { return make(task); });
+      first.push_back(std::move(detector));
+    }
+  }
+  detectors_.resize(static_cast<std::size_t>(settings.threads));
+  detectors_[0] = std::move(first);
+}
+
+Contender& Field::detector(std::size_t entrant, int thread) {
+  auto& own = detectors_.at(static_cast<std::size_t>(thread));
+  own.resize(entrants_.size());
+  if (own[entrant] == nullptr) own[entrant] = makers_[entrant]();
+  return *own[entrant];
+}
+
+std::vector<FoundTag> Field::see(std::size_t entrant, int thread, detect::ImageView image) {
+  Contender& contender = detector(entrant, thread);
+  contender.detect(image);
+  return contender.found();
+}
+
+std::vector<Tally> Field::show(int pictures, const std::function<scene::Scene(int)>& scene_of,
+                               const Work& work) {
+  std::vector<std::vector<View>> views(static_cast<std::size_t>(pictures));  // by picture, entrant
+  work.for_each(pictures, [&](int picture, int thread) {
+    const scene::Scene scene = scene_of(picture);
+    const scene::Rendering rendering = scene::render(scene, 1);
+    std::vector<View>& own = views[static_cast<std::size_t>(picture)];
+    for (std::size_t i = 0; i < entrants_.size(); ++i) {
+      own.push_back(judge(see(i, thread, rendering.image.view()), scene, rendering.truth));
+    }
+  });
+  std::vector<Tally> tallies(entrants_.size());
+  for (const std::vector<View>& of_picture : views) {
+    for (std::size_t i = 0; i < entrants_.size(); ++i) tallies[i].add(of_picture[i]);
+  }
+  return tallies;
+}
+
+}  // namespace tagmint::evaluate

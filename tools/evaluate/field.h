@@ -1,0 +1,51 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "evaluate/contender.h"
+#include "evaluate/sighting.h"
+#include "evaluate/work.h"
+#include "scene/scene.h"
+
+namespace tagmint::evaluate {
+
+struct Settings;
+
+/// Those who take part in an experiment: contenders under one or several decimations, with a
+/// detector for each thread, made when it is first needed and kept.
+class Field {
+ public:
+  /// One of them.
+  struct Entrant {
+    std::string contender;
+    double decimate = 1;
+  };
+
+  /// Those of the contenders that can do the task; the others are left out.
+  ///   decimations   each contender enters under each of them
+  Field(const Settings& settings, const codec::SharedFamily& family,
+        const std::vector<double>& decimations);
+
+  const std::vector<Entrant>& entrants() const { return entrants_; }
+
+  /// What an entrant sees; its detector for that thread is used.
+  std::vector<FoundTag> see(std::size_t entrant, int thread, detect::ImageView image);
+  /// The detector itself.
+  Contender& detector(std::size_t entrant, int thread);
+
+  /// Draws `pictures` scenes and shows each to all entrants, on the threads of the work.
+  ///   scene_of   the scene of a number, always the same; called from several threads
+  ///   returns    a tally for each entrant
+  std::vector<Tally> show(int pictures, const std::function<scene::Scene(int picture)>& scene_of,
+                          const Work& work);
+
+ private:
+  std::vector<Entrant> entrants_;
+  std::vector<std::function<std::unique_ptr<Contender>()>> makers_;
+  std::vector<std::vector<std::unique_ptr<Contender>>> detectors_;  // by thread, then entrant
+};
+
+}  // namespace tagmint::evaluate
