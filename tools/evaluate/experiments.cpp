@@ -6,7 +6,8 @@
 namespace tagmint::evaluate {
 
 std::span<const ExperimentKind> experiment_kinds() {
-  static const std::array kinds = {distance_kind(), angle_kind(), range_kind()};
+  static const std::array kinds = {distance_kind(), angle_kind(), range_kind(),
+                                   mosaic_kind(), robustness_kind()};
   return kinds;
 }
 

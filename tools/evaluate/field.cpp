@@ -37,8 +37,8 @@ std::vector<FoundTag> Field::see(std::size_t entrant, int thread, detect::ImageV
   return contender.found();
 }
 
-std::vector<Tally> Field::show(int pictures, const std::function<scene::Scene(int)>& scene_of,
-                               const Work& work) {
+std::vector<std::vector<View>> Field::views(int pictures, const SceneOf& scene_of,
+                                            const Work& work) {
   std::vector<std::vector<View>> views(static_cast<std::size_t>(pictures));  // by picture, entrant
   work.for_each(pictures, [&](int picture, int thread) {
     const scene::Scene scene = scene_of(picture);
@@ -46,10 +46,15 @@ std::vector<Tally> Field::show(int pictures, const std::function<scene::Scene(in
     std::vector<View>& own = views[static_cast<std::size_t>(picture)];
     for (std::size_t i = 0; i < entrants_.size(); ++i) {
       own.push_back(judge(see(i, thread, rendering.image.view()), scene, rendering.truth));
+      own.back().candidates = detector(i, thread).candidates();
     }
   });
+  return views;
+}
+
+std::vector<Tally> Field::show(int pictures, const SceneOf& scene_of, const Work& work) {
   std::vector<Tally> tallies(entrants_.size());
-  for (const std::vector<View>& of_picture : views) {
+  for (const std::vector<View>& of_picture : views(pictures, scene_of, work)) {
     for (std::size_t i = 0; i < entrants_.size(); ++i) tallies[i].add(of_picture[i]);
   }
   return tallies;

@@ -36,11 +36,13 @@ class Field {
   /// The detector itself.
   Contender& detector(std::size_t entrant, int thread);
 
+  using SceneOf = std::function<scene::Scene(int picture)>;
   /// Draws `pictures` scenes and shows each to all entrants, on the threads of the work.
   ///   scene_of   the scene of a number, always the same; called from several threads
-  ///   returns    a tally for each entrant
-  std::vector<Tally> show(int pictures, const std::function<scene::Scene(int picture)>& scene_of,
-                          const Work& work);
+  ///   returns    what each entrant saw, by picture and entrant
+  std::vector<std::vector<View>> views(int pictures, const SceneOf& scene_of, const Work& work);
+  /// The same as a tally for each entrant.
+  std::vector<Tally> show(int pictures, const SceneOf& scene_of, const Work& work);
 
  private:
   std::vector<Entrant> entrants_;

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "scene/counter_random.h"
 #include "scene/projection.h"
+#include "scene/random_scene.h"
 #include "scene/rotation.h"
 
 namespace tagmint::evaluate {
@@ -112,6 +114,70 @@ scene::Scene tilted_scene(const codec::SharedFamily& family, double distance_m, 
   posed.pose.t = {0, 0, distance_m};
   scene.tags.push_back({family, id, posed});
   return scene;
+}
+
+scene::Scene wall_scene(const codec::SharedFamily& family, const Wall& wall, std::uint64_t seed) {
+  scene::Scene scene = empty_scene(seed);
+  scene.width = wall.width_px;
+  scene.height = wall.height_px;
+  scene.camera = wall.camera;
+  scene.quiet_zone_cells = 0;
+  const codec::Layout& layout = family->layout();
+  const double pitch_m = kEdge_m * layout.width() / layout.width_at_border();
+  const auto R = scene::rotation_from_angles({0, 0, wall.roll_deg});
+  for (int i = 0; i < wall.columns * wall.rows; ++i) {
+    const double x = (i % wall.columns - (wall.columns - 1) / 2.0) * pitch_m;
+    const double y = (i / wall.columns - (wall.rows - 1) / 2.0) * pitch_m;
+    scene::PosedTag posed{.pose = {.R = R, .t = {}}, .edge_m = kEdge_m};
+    posed.pose.t = {wall.middle_m[0] + R[0] * x + R[1] * y, wall.middle_m[1] + R[3] * x + R[4] * y,
+                    wall.middle_m[2]};
+    scene.tags.push_back(
+        {family, static_cast<codec::TagId>(static_cast<std::size_t>(i) % family->size()), posed});
+  }
+  return scene;
+}
+
+scene::Scene scattered_scene(const codec::SharedFamily& family, const Scatter& scatter,
+                             std::uint64_t seed) {
+  scene::RandomSceneOptions options;
+  options.width = scatter.width_px;
+  options.height = scatter.height_px;
+  options.count = scatter.count;
+  options.min_side_px = scatter.min_side_px;
+  options.max_side_px = scatter.max_side_px;
+  options.max_tilt_deg = scatter.max_tilt_deg;
+  options.effects = usual_effects();
+  options.seed = seed;
+  if (scatter.clutter) options.background = scene::ClutterBackground{};
+  const scene::TagChoice choice{family, {}};
+  return scene::random_scene({&choice, 1}, options);
+}
+
+scene::Scene clutter_scene(std::uint64_t seed) {
+  scene::Scene scene = empty_scene(seed);
+  scene.background = scene::ClutterBackground{};
+  return scene;
+}
+
+void shadow_every_tag(double light, std::uint64_t seed, scene::Scene& scene) {
+  constexpr double kFarthest_sides = 0.7;
+  constexpr double kReach_sides = 1.1;  // covers the tag's paper
+  RandomStream random(scene::random_word(seed, 1));
+  for (const scene::SceneTag& tag : scene.tags) {
+    const detect::Corners c = scene::TagProjection(tag, scene.camera).corners();
+    const double side = std::sqrt(std::abs(signed_area(c)));
+    const double direction = random.uniform(0, 2 * std::numbers::pi);
+    const Point along{std::cos(direction), std::sin(direction)};
+    const Point across{-along.y, along.x};
+    const Point middle = 0.25 * (c[0] + c[1] + c[2] + c[3]);
+    const Point edge =
+        middle + (random.uniform(-kFarthest_sides, kFarthest_sides) * side) * across;
+    const double reach = kReach_sides * side;
+    scene.effects.shadows.push_back(
+        {.polygon = {edge - reach * along, edge + reach * along,
+                     edge + reach * along + reach * across, edge - reach * along + reach * across},
+         .light = light});
+  }
 }
 
 }  // namespace tagmint::evaluate

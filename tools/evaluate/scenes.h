@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 
@@ -36,5 +37,39 @@ scene::Scene frontal_scene(const codec::SharedFamily& family, double distance_m,
 /// turned in its plane at random.
 scene::Scene tilted_scene(const codec::SharedFamily& family, double distance_m, double off_axis_deg,
                           std::uint64_t seed);
+
+/// A wall of `columns` x `rows` tags, each touching the next, ids one after another and again from
+/// 0; the middle of the wall at `middle`, the wall parallel to the image but for a roll.
+struct Wall {
+  int columns = 11;
+  int rows = 9;
+  detect::Camera camera;
+  int width_px = 0;
+  int height_px = 0;
+  std::array<double, 3> middle_m{};
+  double roll_deg = 0;
+};
+scene::Scene wall_scene(const codec::SharedFamily& family, const Wall& wall, std::uint64_t seed);
+
+/// Tags scattered over a picture of that size at any tilt up to 40 degrees, sides as asked, on
+/// clutter or on texture.
+struct Scatter {
+  int count = 12;
+  double min_side_px = 25;  ///< of the border square, from the front
+  double max_side_px = 60;
+  double max_tilt_deg = 40;
+  bool clutter = true;
+  int width_px = kWidth_px;
+  int height_px = kHeight_px;
+};
+scene::Scene scattered_scene(const codec::SharedFamily& family, const Scatter& scatter,
+                             std::uint64_t seed);
+
+/// Clutter without a tag.
+scene::Scene clutter_scene(std::uint64_t seed);
+
+/// The edge of a hard shadow across each tag of a scene, through its middle or up to 0.7 sides from
+/// it, in any direction.
+void shadow_every_tag(double light, std::uint64_t seed, scene::Scene& scene);
 
 }  // namespace tagmint::evaluate

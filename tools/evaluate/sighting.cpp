@@ -67,6 +67,7 @@ View judge(std::span<const FoundTag> reports, const scene::Scene& scene,
     }
   }
   for (std::size_t i = 0; i < all.size(); ++i) {
+    all[i].tag = i;
     if (truth[i].visible > kWhole) view.tags.push_back(all[i]);
   }
   return view;

@@ -13,6 +13,7 @@ namespace tagmint::evaluate {
 
 /// One tag of a picture as a contender saw it.
 struct Sighting {
+  std::size_t tag = 0;  ///< its place in the scene
   bool found = false;
   double corner_error_px = 0;  ///< root of the mean square over the four corners
   // Of tags that are placed in space, from the reported corners by detect::estimate_pose():

@@ -76,7 +76,8 @@ void Scale::fit_linear(const Axis& axis, double least, double most) {
   low_ = axis.low.value_or(std::floor(least / step + 1e-9) * step);
   high_ = axis.high.value_or(std::ceil(most / step - 1e-9) * step);
   for (double i = std::ceil(low_ / step - 1e-9); i * step <= high_ + 1e-9 * step; ++i) {
-    ticks_.push_back({i * step, number_text(i * step)});
+    const double value = i * step + 0.0;  // no -0
+    ticks_.push_back({value, number_text(value)});
   }
 }
 

@@ -8,5 +8,7 @@ namespace tagmint::evaluate {
 ExperimentKind distance_kind();
 ExperimentKind angle_kind();
 ExperimentKind range_kind();
+ExperimentKind mosaic_kind();
+ExperimentKind robustness_kind();
 
 }  // namespace tagmint::evaluate

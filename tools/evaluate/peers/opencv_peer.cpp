@@ -21,12 +21,13 @@ constexpr std::array<std::pair<const char*, aruco::PREDEFINED_DICTIONARY_NAME>, 
 class Detector {
  public:
   Detector(aruco::PREDEFINED_DICTIONARY_NAME name, const tagmint_peer_task& task)
-      : dictionary_(aruco::getPredefinedDictionary(name)),
+      : dictionary_(cv::makePtr<aruco::Dictionary>(*aruco::getPredefinedDictionary(name))),
         parameters_(aruco::DetectorParameters::create()) {
     cv::setNumThreads(task.threads);
     parameters_->cornerRefinementMethod = aruco::CORNER_REFINE_SUBPIX;
-    // It corrects int(rate * maxCorrectionBits) bits.
-    parameters_->errorCorrectionRate = (task.max_hamming + 0.5) / dictionary_->maxCorrectionBits;
+    // It corrects int(rate * maxCorrectionBits) bits; its own dictionaries of AprilTags say 0.
+    dictionary_->maxCorrectionBits = task.max_hamming;
+    parameters_->errorCorrectionRate = 1;
   }
 
   void detect(const std::uint8_t* pixels, int width, int height, std::ptrdiff_t stride) {
