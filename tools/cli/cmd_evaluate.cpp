@@ -16,6 +16,7 @@
 #include "cli/standard_output.h"
 #include "cli/terminal.h"
 #include "evaluate/peers.h"
+#include "evaluate/photographs.h"
 #include "evaluate/run.h"
 #include "tagmint/codec/builtin_families.h"
 #include "tagmint/codec/suggest.h"
@@ -68,6 +69,7 @@ evaluate::Settings settings_of(const Options& options, const Common& common) {
   settings.threads = common.threads > 0
                          ? common.threads
                          : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  settings.photographs = evaluate::find_photographs(options.photographs);
   settings.contenders = evaluate::own_contenders();
   if (!options.no_peers) {
     evaluate::Peers peers = evaluate::find_peers();
@@ -134,6 +136,10 @@ Runner set_up(CLI::App& app, const Common& common) {
       ->type_name("N")
       ->check(CLI::Range(1, 100'000))
       ->default_str("by experiment");
+  app.add_option("--photographs", options->photographs,
+                 "folder of pictures without tags (false-positives, timing); again for more")
+      ->type_name("FOLDER")
+      ->allow_extra_args(false);
   app.add_flag("--restart", options->restart, "begin anew what an earlier run left");
   app.add_flag("--no-peers", options->no_peers, "without libapriltag and OpenCV");
   return [options, &common] { return run(*options, common); };

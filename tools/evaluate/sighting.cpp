@@ -5,6 +5,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "scene/projection.h"
 #include "tagmint/detect/pose.h"
 
 namespace tagmint::evaluate {
@@ -13,11 +14,23 @@ namespace {
 using detect::Corners;
 using detect::Point;
 
-/// A tag with less of it in the picture is not asked for.
-constexpr double kWhole = 0.999;
+/// A tag with less of it to be seen is not asked for. Where tags touch, a pixel on the seam counts
+/// less than once.
+constexpr double kSeen = 0.7;
 
 Point middle_of(const Corners& c) { return 0.25 * (c[0] + c[1] + c[2] + c[3]); }
 double side_of(const Corners& c) { return std::sqrt(std::abs(signed_area(c))); }
+
+/// Whether all of the tag, its outermost ring too, is inside the picture.
+bool is_inside(const scene::SceneTag& tag, const scene::Scene& scene) {
+  const codec::Layout& layout = tag.family->layout();
+  const double reach = static_cast<double>(layout.width()) / layout.width_at_border();
+  const scene::TagProjection projection(tag, scene.camera);
+  return std::all_of(detect::kTagCorners.begin(), detect::kTagCorners.end(), [&](Point corner) {
+    const Point p = projection.project(reach * corner);
+    return p.x >= 0 && p.y >= 0 && p.x <= scene.width && p.y <= scene.height;
+  });
+}
 
 double norm(const std::array<double, 3>& t) { return std::hypot(t[0], t[1], t[2]); }
 
@@ -68,7 +81,7 @@ View judge(std::span<const FoundTag> reports, const scene::Scene& scene,
   }
   for (std::size_t i = 0; i < all.size(); ++i) {
     all[i].tag = i;
-    if (truth[i].visible > kWhole) view.tags.push_back(all[i]);
+    if (truth[i].visible > kSeen && is_inside(scene.tags[i], scene)) view.tags.push_back(all[i]);
   }
   return view;
 }

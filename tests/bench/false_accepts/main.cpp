@@ -4,7 +4,7 @@
 //   false_accepts [--words N] [--safe-words N] [--seed N] [--threads N] [--family F]... [--csv DIR]
 //                 [FOLDER...]
 //
-// Without --family: all bundled families. Without FOLDER: no pictures; fetch_photographs.sh gets
+// Without --family: all bundled families. Without FOLDER: no pictures; tools/fetch_photographs.sh gets
 // some. Tables as markdown go to stdout, with --csv also to DIR.
 #include <fmt/format.h>
 

@@ -9,6 +9,10 @@ ExperimentKind distance_kind();
 ExperimentKind angle_kind();
 ExperimentKind range_kind();
 ExperimentKind mosaic_kind();
+ExperimentKind false_positives_kind();
+ExperimentKind timing_kind();
+ExperimentKind families_kind();
 ExperimentKind robustness_kind();
+ExperimentKind codec_kind();
 
 }  // namespace tagmint::evaluate

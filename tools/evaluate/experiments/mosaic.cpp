@@ -41,7 +41,7 @@ class Mosaic : public Experiment {
  public:
   explicit Mosaic(const Settings& settings)
       : settings_(settings),
-        pictures_(samples_of(settings, 3, 20)),
+        pictures_(samples_of(settings, 2, 12)),
         field_(settings, settings.family, {1, 2}) {}
 
   std::vector<Column> columns() const override {
