@@ -9,12 +9,16 @@
 #include <thread>
 #include <vector>
 
+#include "cli/html/trial_page.h"
 #include "cli/options.h"
+#include "cli/output.h"
 #include "cli/process.h"
 #include "cli/progress.h"
 #include "cli/seed_option.h"
+#include "cli/shell_word.h"
 #include "cli/standard_output.h"
 #include "cli/terminal.h"
+#include "evaluate/family_trial.h"
 #include "evaluate/peers.h"
 #include "evaluate/photographs.h"
 #include "evaluate/run.h"
@@ -42,7 +46,7 @@ const ExperimentKind& find_kind(const std::string& name) {
   std::vector<std::string> names;
   for (const ExperimentKind& kind : evaluate::experiment_kinds()) {
     if (kind.name == name) return kind;
-    if (kind.listed) names.emplace_back(kind.name);
+    names.emplace_back(kind.name);
   }
   const std::string hint = codec::did_you_mean(name, names);
   throw UsageError(fmt::format("there is no experiment '{}'", name), "EXPERIMENT",
@@ -52,7 +56,7 @@ const ExperimentKind& find_kind(const std::string& name) {
 int list_experiments() {
   std::string text;
   for (const ExperimentKind& kind : evaluate::experiment_kinds()) {
-    if (kind.listed) text += fmt::format("{:<16} {}\n", kind.name, kind.summary);
+    text += fmt::format("{:<16} {}\n", kind.name, kind.summary);
   }
   write_stdout(text);
   return kDone;
@@ -64,8 +68,7 @@ evaluate::Settings settings_of(const Options& options, const Common& common) {
   settings.quick = options.quick;
   settings.samples = options.samples;
   settings.own_family = !options.family.empty();
-  settings.family =
-      codec::load_family(options.family.empty() ? "tag36h11" : options.family);
+  settings.family = codec::load_family(options.family.empty() ? "tag36h11" : options.family);
   settings.threads = common.threads > 0
                          ? common.threads
                          : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
@@ -105,8 +108,26 @@ evaluate::Outcome run_with_progress(const ExperimentKind& kind, const evaluate::
   }
 }
 
+/// The page of a family beside tag36h11.
+int run_trial(const Options& options, const Common& common) {
+  const evaluate::Settings settings = settings_of(options, common);
+  const evaluate::Outcome outcome =
+      run_with_progress(evaluate::family_trial_kind(), settings, options, common);
+  const std::filesystem::path page =
+      std::filesystem::path(options.folder) / (settings.family->name() + ".html");
+  const std::string command =
+      fmt::format("tagmint evaluate --family {}{} --seed {} -o DIR", shell_word(options.family),
+                  options.quick ? " --quick" : "", options.seed);
+  write_output(page.string(), trial_page(*settings.family, outcome, outcome.conditions, command));
+  write_stdout(outcome.summary);
+  say(common, "written to " + page.string());
+  return kDone;
+}
+
 int run(const Options& options, const Common& common) {
-  if (options.experiment.empty()) return list_experiments();
+  if (options.experiment.empty()) {
+    return options.family.empty() ? list_experiments() : run_trial(options, common);
+  }
   const ExperimentKind& kind = find_kind(options.experiment);
   const evaluate::Settings settings = settings_of(options, common);
   const evaluate::Outcome outcome = run_with_progress(kind, settings, options, common);
@@ -119,7 +140,8 @@ int run(const Options& options, const Common& common) {
 
 Runner set_up(CLI::App& app, const Common& common) {
   app.description(
-      "Without arguments it lists the experiments. Each writes NAME.csv (its head explains the "
+      "Without arguments it lists the experiments; with --family alone it writes a page about that "
+      "family, FAMILY.html. Each writes NAME.csv (its head explains the "
       "columns), NAME.svg and NAME.png, and a summary to stdout. A run that was ended goes on when "
       "it is started again. libapriltag and OpenCV take part where they are found.");
   auto options = std::make_shared<Options>();

@@ -12,8 +12,7 @@ Column decimate_column() {
 }
 
 std::vector<plot::Series> curves(const Table& table, const Settings& settings, std::string_view x,
-                                 std::string_view y,
-                                 const std::function<bool(const Row&)>& where) {
+                                 std::string_view y, const std::function<bool(const Row&)>& where) {
   std::vector<plot::Series> all;
   for (const ContenderKind& kind : settings.contenders) {
     plot::Series series{.label = kind.name, .style = kind.style, .spots = {}};

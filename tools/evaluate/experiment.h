@@ -53,7 +53,6 @@ struct ExperimentKind {
   std::string_view summary;  ///< one line
   /// Throws codec::InputError where the settings lack something (photographs).
   std::unique_ptr<Experiment> (*make)(const Settings& settings);
-  bool listed = true;  ///< whether `evaluate` names it
 };
 
 /// All experiments, in the order of the paper.

@@ -33,19 +33,16 @@ double edge_px(const codec::Family& family, double outer_px) {
 
 scene::Scene sized_scene(const codec::SharedFamily& family, double edge_px, std::uint64_t seed) {
   constexpr double kTilt_deg = 30;
-  return scattered_scene(family,
-                         {.min_side_px = edge_px,
-                          .max_side_px = edge_px,
-                          .max_tilt_deg = kTilt_deg,
-                          .clutter = false},
-                         seed);
+  return scattered_scene(
+      family,
+      {.min_side_px = edge_px, .max_side_px = edge_px, .max_tilt_deg = kTilt_deg, .clutter = false},
+      seed);
 }
 
 AcceptedWords accepted_words(const codec::SharedFamily& family, std::uint64_t seed,
                              std::int64_t words, const Work& work) {
   constexpr std::int64_t kBatch = 1 << 14;
-  const codec::Decoder decoder(
-      family, {.max_errors = usual_max_hamming(*family), .ids = {}});
+  const codec::Decoder decoder(family, {.max_errors = usual_max_hamming(*family), .ids = {}});
   const auto batches = static_cast<int>((words + kBatch - 1) / kBatch);
   std::vector<std::int64_t> accepted(static_cast<std::size_t>(batches));
   const std::uint64_t stream = scene::random_word(seed, kWordStream);

@@ -10,9 +10,8 @@ Field::Field(const Settings& settings, const codec::SharedFamily& family,
   std::vector<std::unique_ptr<Contender>> first;
   for (const double decimate : decimations) {
     for (const ContenderKind& kind : settings.contenders) {
-      const Task task{.family = family,
-                      .decimate = decimate,
-                      .max_hamming = usual_max_hamming(*family)};
+      const Task task{
+          .family = family, .decimate = decimate, .max_hamming = usual_max_hamming(*family)};
       std::unique_ptr<Contender> detector = kind.make(task);
       if (detector == nullptr) continue;
       entrants_.push_back({kind.name, decimate});

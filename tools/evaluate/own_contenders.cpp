@@ -11,9 +11,10 @@ namespace {
 class TagmintContender : public Contender {
  public:
   TagmintContender(const Task& task, detect::DetectorOptions options)
-      : detector_({std::make_shared<const codec::Decoder>(
-                      task.family, codec::DecoderOptions{.max_errors = task.max_hamming, .ids = {}})},
-                  options) {}
+      : detector_(
+            {std::make_shared<const codec::Decoder>(
+                task.family, codec::DecoderOptions{.max_errors = task.max_hamming, .ids = {}})},
+            options) {}
 
   void detect(detect::ImageView image) override { detector_.detect(image, detections_, &stats_); }
 
@@ -42,9 +43,7 @@ detect::DetectorOptions options_of(const Task& task) {
 
 }  // namespace
 
-int usual_max_hamming(const codec::Family& family) {
-  return std::min(2, family.max_safe_errors());
-}
+int usual_max_hamming(const codec::Family& family) { return std::min(2, family.max_safe_errors()); }
 
 std::vector<ContenderKind> own_contenders() {
   const std::string release = std::string("tagmint ") + std::string(codec::kVersion);

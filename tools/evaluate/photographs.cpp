@@ -67,8 +67,7 @@ detect::Image halved(const detect::Image& image) {
   return half;
 }
 
-void for_each_size(const std::string& path,
-                   const std::function<void(const detect::Image&)>& show) {
+void for_each_size(const std::string& path, const std::function<void(const detect::Image&)>& show) {
   detect::Image image = io::read_gray_image(path);
   while (true) {
     show(image);

@@ -46,9 +46,9 @@ std::vector<std::string> preamble(const ExperimentKind& kind, const Settings& se
                                   const Experiment& experiment) {
   std::vector<std::string> lines = {
       fmt::format("tagmint {} evaluate {}: {}", codec::kVersion, kind.name, kind.summary),
-      fmt::format("seed {}, {} settings{}", settings.seed, settings.quick ? "quick" : "full",
-                  settings.samples > 0 ? fmt::format(", {} samples a point", settings.samples)
-                                       : "")};
+      fmt::format(
+          "seed {}, {} settings{}", settings.seed, settings.quick ? "quick" : "full",
+          settings.samples > 0 ? fmt::format(", {} samples a point", settings.samples) : "")};
   for (std::string& line : experiment.conditions()) lines.push_back(std::move(line));
   return lines;
 }
@@ -106,8 +106,8 @@ Outcome run_experiment(const ExperimentKind& kind, const Settings& settings,
                                       settings.seed, settings.quick ? "quick" : "full");
   }
   outcome.summary = experiment->summary(outcome.table);
-  const std::string csv =
-      format_csv(outcome.table, preamble(kind, settings, *experiment));
+  outcome.conditions = experiment->conditions();
+  const std::string csv = format_csv(outcome.table, preamble(kind, settings, *experiment));
   io::AtomicFiles files;
   outcome.files = {file(".csv"), file(".svg"), file(".png")};
   files.add(outcome.files[0], csv);

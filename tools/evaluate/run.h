@@ -26,6 +26,7 @@ struct Outcome {
   Table table;
   plot::Figure figure;
   std::string summary;
+  std::vector<std::string> conditions;       ///< Experiment::conditions()
   std::vector<std::filesystem::path> files;  ///< written
 };
 

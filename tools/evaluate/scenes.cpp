@@ -44,9 +44,10 @@ scene::Effects usual_effects() {
 }
 
 std::string usual_conditions() {
-  return fmt::format("gray levels 30 and 220, blur {} px, Gaussian noise {} gray levels, "
-                     "a smooth texture behind the tags",
-                     kBlur_px, kNoise);
+  return fmt::format(
+      "gray levels 30 and 220, blur {} px, Gaussian noise {} gray levels, "
+      "a smooth texture behind the tags",
+      kBlur_px, kNoise);
 }
 
 std::uint64_t picture_seed(std::uint64_t seed, std::uint64_t point, int picture) {
@@ -170,8 +171,7 @@ void shadow_every_tag(double light, std::uint64_t seed, scene::Scene& scene) {
     const Point along{std::cos(direction), std::sin(direction)};
     const Point across{-along.y, along.x};
     const Point middle = 0.25 * (c[0] + c[1] + c[2] + c[3]);
-    const Point edge =
-        middle + (random.uniform(-kFarthest_sides, kFarthest_sides) * side) * across;
+    const Point edge = middle + (random.uniform(-kFarthest_sides, kFarthest_sides) * side) * across;
     const double reach = kReach_sides * side;
     scene.effects.shadows.push_back(
         {.polygon = {edge - reach * along, edge + reach * along,

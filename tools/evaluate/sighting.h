@@ -24,7 +24,7 @@ struct Sighting {
 /// One picture as a contender saw it.
 struct View {
   std::vector<Sighting> tags;  ///< those of the scene that are wholly visible, in its order
-  int wrong = 0;  ///< reports that are no tag of the scene in its place, or one twice
+  int wrong = 0;               ///< reports that are no tag of the scene in its place, or one twice
   std::optional<std::int64_t> candidates = {};
 };
 

@@ -21,7 +21,7 @@ constexpr double kTallPanelHeight_px = 340;  // with names below its axis
 constexpr double kMargin_px = 10;
 constexpr double kTitleHeight_px = 30;
 constexpr double kTitle_px = 15;
-constexpr double kNoteHeight_px = 18;
+constexpr double kNoteHeight_px = 15;
 constexpr double kNote_px = 10;
 
 struct Size {
@@ -31,25 +31,42 @@ struct Size {
   int columns = 1;
 };
 
+/// The note in lines that fit, broken behind semicolons where it can be.
+std::vector<std::string> note_lines(Pen& pen, const std::string& note, double width_px) {
+  std::vector<std::string> lines;
+  for (std::size_t begin = 0; begin < note.size();) {
+    const std::size_t semicolon = note.find("; ", begin);
+    const std::size_t end = semicolon == std::string::npos ? note.size() : semicolon + 2;
+    const std::string part = note.substr(begin, end - begin);
+    if (!lines.empty() && pen.text_width(lines.back() + part, kNote_px) <= width_px) {
+      lines.back() += part;
+    } else {
+      lines.push_back(part);
+    }
+    begin = end;
+  }
+  return lines;
+}
+
 Size size_of(const Figure& figure) {
   if (figure.panels.empty()) throw std::invalid_argument("a figure has at least one panel");
   const int panels = static_cast<int>(figure.panels.size());
   Size size;
   size.columns = std::clamp(figure.columns, 1, panels);
   const int rows = (panels + size.columns - 1) / size.columns;
-  const bool named =
-      std::any_of(figure.panels.begin(), figure.panels.end(),
-                  [](const Panel& panel) { return panel.x.categories.size() > 4; });
+  const bool named = std::any_of(figure.panels.begin(), figure.panels.end(),
+                                 [](const Panel& panel) { return panel.x.categories.size() > 4; });
   size.panel_height = named ? kTallPanelHeight_px : kPanelHeight_px;
   // A figure of one panel is wider than one of many.
   const double width = size.columns == 1 ? 1.6 * kPanelWidth_px : size.columns * kPanelWidth_px;
   size.width = width + 2 * kMargin_px;
-  size.height = kTitleHeight_px + rows * size.panel_height + kMargin_px +
-                (figure.note.empty() ? 0 : kNoteHeight_px);
+  size.height = kTitleHeight_px + rows * size.panel_height + kMargin_px;
   const draw::SurfaceOwner surface(cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1));
   const draw::ContextOwner context(cairo_create(surface.get()));
   Pen pen(context.get());
-  size.height += kLegendRow_px * legend_rows(pen, legend_of(figure), size.width - 2 * kMargin_px);
+  const double inner = size.width - 2 * kMargin_px;
+  size.height += kLegendRow_px * legend_rows(pen, legend_of(figure), inner) +
+                 kNoteHeight_px * static_cast<double>(note_lines(pen, figure.note, inner).size());
   return size;
 }
 
@@ -68,8 +85,10 @@ void draw(cairo_t* context, const Figure& figure, const Size& size) {
     bottom = box.bottom();
   }
   draw_legend(pen, legend_of(figure), {kMargin_px, bottom, size.width - 2 * kMargin_px, 0});
-  if (!figure.note.empty()) {
-    pen.text(kMargin_px, size.height - 8, figure.note, kNote_px, Align::Left);
+  const auto lines = note_lines(pen, figure.note, size.width - 2 * kMargin_px);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const auto below = static_cast<double>(lines.size() - 1 - i);
+    pen.text(kMargin_px, size.height - 8 - below * kNoteHeight_px, lines[i], kNote_px, Align::Left);
   }
   draw::check_cairo(cairo_status(context));
 }

@@ -9,7 +9,7 @@ namespace tagmint::plot {
 /// One axis of a panel. The label carries the unit: "distance, m".
 struct Axis {
   std::string label;
-  bool logarithmic = false;  ///< values must be above 0; others are left out
+  bool logarithmic = false;         ///< values must be above 0; others are left out
   std::optional<double> low = {};   ///< where it begins; nothing = below the smallest value
   std::optional<double> high = {};  ///< where it ends; nothing = above the largest value
   /// Names in place of numbers: value i is categories[i].

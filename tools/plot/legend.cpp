@@ -32,9 +32,9 @@ std::vector<LegendEntry> legend_of(const Figure& figure) {
   std::vector<LegendEntry> entries;
   for (const Panel& panel : figure.panels) {
     for (const Series& series : panel.series) {
-      const bool known =
-          std::any_of(entries.begin(), entries.end(),
-                      [&](const LegendEntry& entry) { return entry.label == series.label; });
+      const bool known = std::any_of(entries.begin(), entries.end(), [&](const LegendEntry& entry) {
+        return entry.label == series.label;
+      });
       if (!known && !series.label.empty()) {
         entries.push_back({series.label, series.style, series.line, series.markers});
       }

@@ -34,8 +34,7 @@ std::string number_text(double value) {
 
 }  // namespace
 
-Scale::Scale(const Axis& axis, const std::vector<double>& values)
-    : logarithmic_(axis.logarithmic) {
+Scale::Scale(const Axis& axis, const std::vector<double>& values) : logarithmic_(axis.logarithmic) {
   if (!axis.categories.empty()) {
     fit_categories(axis);
     return;

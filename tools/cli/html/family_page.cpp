@@ -6,15 +6,14 @@
 #include <vector>
 
 #include "cli/choose_report.h"
-#include "cli/html/embedded_texts.h"
 #include "cli/html/gallery.h"
 #include "cli/html/markup.h"
+#include "cli/html/page.h"
 #include "cli/html/report_charts.h"
 #include "cli/html/tag_svg.h"
 #include "cli/shell_word.h"
 #include "draw/units.h"
 #include "tagmint/codec/layout_presets.h"
-#include "tagmint/codec/version.h"
 
 namespace tagmint::cli {
 namespace {
@@ -215,24 +214,13 @@ std::string lookup(const FamilyReport& report) {
          "</section>\n";
 }
 
-std::string head(const codec::Family& family) {
-  // The policy forbids the page to fetch anything at all.
-  return fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "
-      "style-src 'unsafe-inline'; script-src 'unsafe-inline'\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<title>{} - tag family</title>\n<style>\n{}</style>\n</head>\n",
-      escaped(family.name()), page_style);
-}
-
 }  // namespace
 
 std::string family_page(const FamilyReport& report, const std::string& source,
                         const std::string& convert) {
   const codec::Family& family = *report.family;
   const bool nested = family.levels().size() > 1;
-  std::string page = head(family);
+  std::string page = page_head(family.name() + " - tag family");
   page += fmt::format("<body>\n<header>\n<h1>{}</h1>\n{}", escaped(family.name()), lead(family));
   page += fmt::format(
       "<nav class=\"contents\" aria-label=\"Contents\"><a href=\"#facts\">Facts</a>{}"
@@ -244,8 +232,7 @@ std::string family_page(const FamilyReport& report, const std::string& source,
   page += "<section id=\"charts\">\n<h2>Distances, complexity, false accepts</h2>\n" +
           report_charts_html(report) + "</section>\n";
   page += gallery_html(report) + sizes(family) + commands(report, source, convert) + lookup(report);
-  page += fmt::format("</main>\n<footer>Made by tagmint {}.</footer>\n</body>\n</html>\n",
-                      codec::kVersion);
+  page += page_foot();
   return page;
 }
 

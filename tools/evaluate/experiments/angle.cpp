@@ -30,8 +30,9 @@ class Angle : public Experiment {
             {"tags", "shown"},
             {"found", "of them, with the right id in the right place"},
             {"share_found", "found / tags"},
-            {"median_error_deg", "median over the tags found of the angle of the rotation between "
-                                 "estimated and true orientation"},
+            {"median_error_deg",
+             "median over the tags found of the angle of the rotation between "
+             "estimated and true orientation"},
             {"p95_error_deg", "95th percentile of the same"},
             {"mean_error_deg", "mean of the same"},
             {"median_corner_px", "median over tags of the root mean square error of the corners"}};

@@ -120,8 +120,9 @@ class Codec : public Experiment {
             {"auto", "1 = what tagmint takes when it is not told"},
             {"bytes", "of the tables; of contenders, growth of the heap"},
             {"made_in_s", "time to make the tables (measured)"},
-            {"tag_ns", "time to look up the word of a tag with as many errors as are corrected "
-                       "(measured, one thread); contenders offer no look-up"},
+            {"tag_ns",
+             "time to look up the word of a tag with as many errors as are corrected "
+             "(measured, one thread); contenders offer no look-up"},
             {"random_ns", "the same of a random word"},
             {"accepted", "of the words of tags, those recognised: all of them"},
             {"words", "of each kind"}};
@@ -145,14 +146,11 @@ class Codec : public Experiment {
   plot::Figure figure(const Table& table) const override {
     plot::Axis x{.label = "", .categories = {}};
     for (const codec::SharedFamily& family : families_) x.categories.push_back(family->name());
-    plot::Figure figure{.title = "Looking codewords up: memory and speed",
-                        .panels = {},
-                        .columns = 1};
+    plot::Figure figure{
+        .title = "Looking codewords up: memory and speed", .panels = {}, .columns = 1};
     const auto panel = [&](const char* title, const char* label, const char* column) {
-      plot::Panel made{.title = title,
-                       .x = x,
-                       .y = {.label = label, .logarithmic = true},
-                       .series = {}};
+      plot::Panel made{
+          .title = title, .x = x, .y = {.label = label, .logarithmic = true}, .series = {}};
       for (const Engine& engine : kEngines) {
         made.series.push_back(series(table, engine.name, engine.style, column));
       }
@@ -173,11 +171,11 @@ class Codec : public Experiment {
         {"family, what tagmint takes", "bytes", "tag", "random word"}};
     for (const Row& row : table.rows) {
       if (table.number(row, "auto") != 1) continue;
-      lines.push_back({fmt::format("  {}, {}", table.word(row, "family"),
-                                   table.word(row, "look_up")),
-                       fmt::format("{}", *table.number(row, "bytes")),
-                       fmt::format("{:.0f} ns", *table.number(row, "tag_ns")),
-                       fmt::format("{:.0f} ns", *table.number(row, "random_ns"))});
+      lines.push_back(
+          {fmt::format("  {}, {}", table.word(row, "family"), table.word(row, "look_up")),
+           fmt::format("{}", *table.number(row, "bytes")),
+           fmt::format("{:.0f} ns", *table.number(row, "tag_ns")),
+           fmt::format("{:.0f} ns", *table.number(row, "random_ns"))});
     }
     return aligned(lines);
   }
@@ -224,8 +222,7 @@ class Codec : public Experiment {
       if (!cost) continue;
       rows.push_back({family->name(), static_cast<std::int64_t>(family->size()),
                       std::int64_t{family->bits()}, std::int64_t{errors}, kind.name,
-                      std::int64_t{0}, cost->bytes, cost->seconds, Cell(), Cell(), Cell(),
-                      Cell()});
+                      std::int64_t{0}, cost->bytes, cost->seconds, Cell(), Cell(), Cell(), Cell()});
     }
     return rows;
   }

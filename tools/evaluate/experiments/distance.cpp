@@ -59,14 +59,13 @@ class FrontalTags : public Experiment {
     for (std::size_t i = 0; i < tallies.size(); ++i) {
       const Tally& tally = tallies[i];
       const auto error = median(magnitudes(tally.distance_errors_m));
-      rows.push_back({distance, kFocal_px * kEdge_m / distance, field_.entrants()[i].contender,
-                      field_.entrants()[i].decimate, std::int64_t{tally.tags},
-                      std::int64_t{tally.found}, cell_of(tally.share_found()),
-                      std::int64_t{tally.wrong}, cell_of(error),
-                      cell_of(quantile(magnitudes(tally.distance_errors_m), 0.95)),
-                      cell_of(mean(tally.distance_errors_m)),
-                      error ? Cell(100 * *error / distance) : Cell(),
-                      cell_of(median(tally.corner_errors_px))});
+      rows.push_back(
+          {distance, kFocal_px * kEdge_m / distance, field_.entrants()[i].contender,
+           field_.entrants()[i].decimate, std::int64_t{tally.tags}, std::int64_t{tally.found},
+           cell_of(tally.share_found()), std::int64_t{tally.wrong}, cell_of(error),
+           cell_of(quantile(magnitudes(tally.distance_errors_m), 0.95)),
+           cell_of(mean(tally.distance_errors_m)), error ? Cell(100 * *error / distance) : Cell(),
+           cell_of(median(tally.corner_errors_px))});
     }
     return rows;
   }

@@ -61,8 +61,9 @@ class FalsePositives : public Experiment {
             {"errors", "bits that were corrected in what follows; all = all together"},
             {"accepted", "tags reported with so many errors: all of them false"},
             {"rate", "accepted / candidates"},
-            {"theory_1", "share of random words with so many errors from a tag in one rotation, as "
-                         "the paper counts"},
+            {"theory_1",
+             "share of random words with so many errors from a tag in one rotation, as "
+             "the paper counts"},
             {"theory_4", "the same in any of the four rotations, as tags are found"},
             {"accepted_per_megapixel", "accepted / megapixels"}};
   }
@@ -107,8 +108,9 @@ class FalsePositives : public Experiment {
           all_pixels += pixels[f];
         }
         ++entrant;
-        Row row = {family->name(), who.contender, static_cast<std::int64_t>(count), all_images,
-                   all_pixels, sum.says_candidates ? Cell(sum.candidates) : Cell()};
+        Row row = {
+            family->name(), who.contender, static_cast<std::int64_t>(count),
+            all_images,     all_pixels,    sum.says_candidates ? Cell(sum.candidates) : Cell()};
         for (const std::int64_t number : sum.by_errors) {
           row.emplace_back();
           if (sum.says_errors) row.back() = number;
@@ -168,8 +170,7 @@ class FalsePositives : public Experiment {
           // None of n: at most 3 / n with 95 %.
           if (rate && candidates && *candidates > 0) {
             const bool none = *rate == 0;
-            series.spots.push_back(
-                {.x = x, .y = none ? 3 / *candidates : *rate, .bound = none});
+            series.spots.push_back({.x = x, .y = none ? 3 / *candidates : *rate, .bound = none});
           }
         }
         if (!series.spots.empty()) panel.series.push_back(std::move(series));
@@ -200,13 +201,13 @@ class FalsePositives : public Experiment {
   }
 
   std::vector<std::string> conditions() const override {
-    return {fmt::format("{} pictures without tags, each at full size and halved again and again "
-                        "while its shorter side stays at 500 px{}",
-                        files_.size(),
-                        settings_.quick ? fmt::format(", sizes up to {} Mpx", kQuickMegapixels)
-                                        : ""),
-            "up to two bits corrected, as far as that is safe",
-            "contenders: " + contestants(settings_)};
+    return {
+        fmt::format("{} pictures without tags, each at full size and halved again and again "
+                    "while its shorter side stays at 500 px{}",
+                    files_.size(),
+                    settings_.quick ? fmt::format(", sizes up to {} Mpx", kQuickMegapixels) : ""),
+        "up to two bits corrected, as far as that is safe",
+        "contenders: " + contestants(settings_)};
   }
 
  private:

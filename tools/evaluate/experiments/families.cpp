@@ -33,16 +33,20 @@ class Families : public Experiment {
             {"found", "of them, with the right id in the right place"},
             {"share_found", "found / tags"},
             {"wrong", "reports that are no tag of the picture in its place"},
-            {"needed_outer_px", "of the family and the contender: side of the whole tag from which "
-                                "95 % are found, between two rows; empty = more than the largest"},
+            {"needed_outer_px",
+             "of the family and the contender: side of the whole tag from which "
+             "95 % are found, between two rows; empty = more than the largest"},
             {"corrected_bits", "of the family: errors that are corrected"},
-            {"accept_theory", "of the family: share of random words within that many errors of a "
-                              "tag, four rotations"},
-            {"accept_words", "of the family: share of random words that its decoder took for a "
-                             "tag"},
+            {"accept_theory",
+             "of the family: share of random words within that many errors of a "
+             "tag, four rotations"},
+            {"accept_words",
+             "of the family: share of random words that its decoder took for a "
+             "tag"},
             {"words", "random words that were tried"},
-            {"clutter_candidates", "of the family and the contender: quads tried in pictures of "
-                                   "clutter without a tag"},
+            {"clutter_candidates",
+             "of the family and the contender: quads tried in pictures of "
+             "clutter without a tag"},
             {"clutter_accepted", "of them, taken for a tag"}};
   }
 
@@ -138,11 +142,12 @@ class Families : public Experiment {
   }
 
   std::vector<std::string> conditions() const override {
-    return {fmt::format("{} pictures of {} x {} px for each size, up to 12 tags in each, tilted by "
-                        "up to 30 degrees; {} random words a family, {} pictures of clutter",
-                        pictures_, kWidth_px, kHeight_px, word_count(), 4 * pictures_),
-            usual_conditions(), "contenders: " + contestants(settings_),
-            "a contender is left out where it does not know a family or would take too much memory"};
+    return {
+        fmt::format("{} pictures of {} x {} px for each size, up to 12 tags in each, tilted by "
+                    "up to 30 degrees; {} random words a family, {} pictures of clutter",
+                    pictures_, kWidth_px, kHeight_px, word_count(), 4 * pictures_),
+        usual_conditions(), "contenders: " + contestants(settings_),
+        "a contender is left out where it does not know a family or would take too much memory"};
   }
 
  private:

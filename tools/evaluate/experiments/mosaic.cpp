@@ -91,8 +91,8 @@ class Mosaic : public Experiment {
       rows.push_back({distance, field_.entrants()[i].contender, field_.entrants()[i].decimate,
                       std::int64_t{tally.tags}, std::int64_t{tally.found},
                       cell_of(tally.share_found()), std::int64_t{tally.wrong},
-                      static_cast<std::int64_t>(centre_errors.size()),
-                      cell_of(mean(centre_errors)), square ? Cell(std::sqrt(*square)) : Cell(),
+                      static_cast<std::int64_t>(centre_errors.size()), cell_of(mean(centre_errors)),
+                      square ? Cell(std::sqrt(*square)) : Cell(),
                       cell_of(median(magnitudes(tally.distance_errors_m)))});
     }
     return rows;
@@ -128,9 +128,9 @@ class Mosaic : public Experiment {
           continue;
         }
         const auto error = table.number(row, "centre_rms_error_m");
-        line.push_back(
-            fmt::format("{:.0f} %, {}", 100 * table.number(row, "share_found").value_or(0),
-                        error ? fmt::format("{:.2g} mm", 1000 * *error) : "-"));
+        line.push_back(fmt::format("{:.0f} %, {}",
+                                   100 * table.number(row, "share_found").value_or(0),
+                                   error ? fmt::format("{:.2g} mm", 1000 * *error) : "-"));
       }
     }
     return aligned(lines);
@@ -141,16 +141,15 @@ class Mosaic : public Experiment {
     return {fmt::format("{} pictures of {} x {} px for each distance, focal length {} px; a wall "
                         "of {} x {} tags of {} m (border square) that touch each other; the camera "
                         "looks at the middle one, up to {} m beside it, rolled by up to {} degree",
-                        pictures_, kMosaicWidth_px, kMosaicHeight_px, kMosaicFocal_px,
-                        wall.columns, wall.rows, kEdge_m, kShift_m, kRoll_deg),
+                        pictures_, kMosaicWidth_px, kMosaicHeight_px, kMosaicFocal_px, wall.columns,
+                        wall.rows, kEdge_m, kShift_m, kRoll_deg),
             usual_conditions(), family_words(*settings_.family),
             "contenders: " + contestants(settings_)};
   }
 
  private:
-  static inline const std::vector<double> kDistances_m = {0.6, 1, 1.5, 2, 2.5, 3,  3.5, 4,  4.5,
-                                                          5,   5.5, 6, 6.5, 7, 8,  9,   10, 11,
-                                                          12,  13,  14};
+  static inline const std::vector<double> kDistances_m = {
+      0.6, 1, 1.5, 2, 2.5, 3, 3.5, 4, 4.5, 5, 5.5, 6, 6.5, 7, 8, 9, 10, 11, 12, 13, 14};
   Settings settings_;
   int pictures_;
   Field field_;

@@ -23,25 +23,39 @@ struct Harm {
 
 const std::vector<Harm>& harms() {
   static const std::vector<Harm> all = {
-      {"noise", "Gaussian noise, gray levels", false, {0, 5, 10, 15, 20, 30, 40, 50, 60},
-       [](double level, std::uint64_t, scene::Scene& scene) {
-         scene.effects.noise_sigma = level;
-       }},
-      {"blur", "Gaussian blur (sigma), px", false, {0.5, 1, 1.5, 2, 2.5, 3, 3.5, 4, 5},
+      {"noise",
+       "Gaussian noise, gray levels",
+       false,
+       {0, 5, 10, 15, 20, 30, 40, 50, 60},
+       [](double level, std::uint64_t, scene::Scene& scene) { scene.effects.noise_sigma = level; }},
+      {"blur",
+       "Gaussian blur (sigma), px",
+       false,
+       {0.5, 1, 1.5, 2, 2.5, 3, 3.5, 4, 5},
        [](double level, std::uint64_t, scene::Scene& scene) {
          scene.effects.blur_sigma_px = level;
        }},
-      {"contrast", "white less black, gray levels", true, {190, 100, 60, 40, 25, 16, 10, 7, 5},
+      {"contrast",
+       "white less black, gray levels",
+       true,
+       {190, 100, 60, 40, 25, 16, 10, 7, 5},
        [](double level, std::uint64_t, scene::Scene& scene) {
+         // Clutter of full contrast would hide the tags.
+         scene.background = scene::PlainBackground{125};
          scene.effects.black = 125 - level / 2;
          scene.effects.white = 125 + level / 2;
        }},
-      {"shadow", "light left in a shadow across each tag", false,
+      {"shadow",
+       "light left in a shadow across each tag",
+       false,
        {1, 0.8, 0.7, 0.6, 0.5, 0.4, 0.3, 0.2, 0.1},
        [](double level, std::uint64_t seed, scene::Scene& scene) {
          shadow_every_tag(level, seed, scene);
        }},
-      {"motion", "motion of the camera, px", false, {0, 2, 4, 6, 8, 10, 12, 14, 16},
+      {"motion",
+       "motion of the camera, px",
+       false,
+       {0, 2, 4, 6, 8, 10, 12, 14, 16},
        [](double level, std::uint64_t seed, scene::Scene& scene) {
          const auto angle = static_cast<double>(seed % 180);
          scene.effects.motion_blur = {.length_px = level, .angle_deg = angle};
@@ -102,17 +116,15 @@ class Robustness : public Experiment {
   }
 
   plot::Figure figure(const Table& table) const override {
-    plot::Figure figure{.title = "Share of tags found when the picture is harmed",
-                        .panels = {},
-                        .columns = 2};
+    plot::Figure figure{
+        .title = "Share of tags found when the picture is harmed", .panels = {}, .columns = 2};
     for (const Harm& harm : harms()) {
       plot::Panel panel{.title = harm.name,
                         .x = {.label = harm.axis, .logarithmic = harm.logarithmic},
                         .y = {.label = "share of tags found", .low = 0, .high = 1},
                         .series = {}};
-      panel.series = curves(table, settings_, "level", "share_found", [&](const Row& row) {
-        return table.word(row, "harm") == harm.name;
-      });
+      panel.series = curves(table, settings_, "level", "share_found",
+                            [&](const Row& row) { return table.word(row, "harm") == harm.name; });
       figure.panels.push_back(std::move(panel));
     }
     return figure;
@@ -132,7 +144,8 @@ class Robustness : public Experiment {
   std::vector<std::string> conditions() const override {
     const Scatter scatter;
     return {fmt::format("{} pictures of {} x {} px for each level, up to {} tags of {} to {} px in "
-                        "each, tilted by up to {} degrees, on clutter; the same tags at each level",
+                        "each, tilted by up to {} degrees, on clutter (contrast: on plain gray); "
+                        "the same tags at each level",
                         pictures_, kWidth_px, kHeight_px, scatter.count, scatter.min_side_px,
                         scatter.max_side_px, scatter.max_tilt_deg),
             "but for the harm: gray levels 30 and 220, blur 0.7 px, Gaussian noise 2 gray levels",

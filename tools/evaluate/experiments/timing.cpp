@@ -34,8 +34,8 @@ class Timing : public Experiment {
     contents_ = {"plain", "sparse", "clutter"};
     if (!settings.photographs.empty()) contents_.push_back("photographs");
     for (const std::string& content : contents_) {
-      for (const auto& [width, height] : {std::pair{320, 240}, {640, 480}, {1280, 960},
-                                          {2560, 1920}}) {
+      for (const auto& [width, height] :
+           {std::pair{320, 240}, {640, 480}, {1280, 960}, {2560, 1920}}) {
         steps_.push_back({content, width, height, 1});
       }
     }
@@ -43,16 +43,18 @@ class Timing : public Experiment {
   }
 
   std::vector<Column> columns() const override {
-    return {{"content", "plain = noise on gray; sparse = 4 tags on a gradient; clutter = shapes "
-                        "over one another with tags; photographs = as they are, without tags"},
+    return {{"content",
+             "plain = noise on gray; sparse = 4 tags on a gradient; clutter = shapes "
+             "over one another with tags; photographs = as they are, without tags"},
             {"width_px", "of the pictures; photographs are halved to about so many pixels"},
             {"height_px", "of the pictures"},
             {"threads", "that the detector may use"},
             contender_column(),
             decimate_column(),
             {"pictures", "that were timed"},
-            {"us_per_px", "median over pictures of the wall time for each pixel, microseconds, the "
-                          "fastest of the rounds"},
+            {"us_per_px",
+             "median over pictures of the wall time for each pixel, microseconds, the "
+             "fastest of the rounds"},
             {"ms", "median wall time for a picture, milliseconds"},
             {"reports", "tags reported in all of them"}};
   }
@@ -143,8 +145,7 @@ class Timing : public Experiment {
     for (const std::string& content : contents_) lines[0].push_back(content);
     for (const double decimate : {1.0, 2.0}) {
       for (const ContenderKind& kind : settings_.contenders) {
-        std::vector<std::string> line = {
-            fmt::format("  {}, decimate {}", kind.name, decimate)};
+        std::vector<std::string> line = {fmt::format("  {}, decimate {}", kind.name, decimate)};
         for (const Row& row : table.rows) {
           if (table.word(row, "contender") == kind.name &&
               table.number(row, "decimate") == decimate && table.number(row, "threads") == 1 &&
@@ -174,8 +175,8 @@ class Timing : public Experiment {
       work.throw_if_stopped();
       if (step.content == "photographs") {
         const std::size_t count = settings_.photographs.size();
-        const std::size_t file = static_cast<std::size_t>(i) * count /
-                                 static_cast<std::size_t>(pictures_) % count;
+        const std::size_t file =
+            static_cast<std::size_t>(i) * count / static_cast<std::size_t>(pictures_) % count;
         pictures.push_back(photograph(settings_.photographs[file], step));
       } else {
         pictures.push_back(
