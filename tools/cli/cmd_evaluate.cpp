@@ -171,7 +171,7 @@ Runner set_up(CLI::App& app, const Common& common) {
 
 Command evaluate_command() {
   return {.name = "evaluate",
-          .summary = "rerun the experiments of the AprilTag 2 paper, and ours",
+          .summary = "rerun the paper's experiments, and ours",
           .examples = {"tagmint evaluate distance --quick -o results",
                        "tagmint evaluate --family my.json -o results"},
           .set_up = set_up};

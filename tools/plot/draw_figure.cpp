@@ -72,7 +72,8 @@ Size size_of(const Figure& figure) {
 
 void draw(cairo_t* context, const Figure& figure, const Size& size) {
   Pen pen(context);
-  pen.white_box({0, 0, size.width, size.height});
+  cairo_set_source_rgb(context, 1, 1, 1);
+  cairo_paint(context);
   pen.text(size.width / 2, kTitleHeight_px - 10, figure.title, kTitle_px, Align::Middle, true);
   const double width = (size.width - 2 * kMargin_px) / size.columns;
   double bottom = kTitleHeight_px;

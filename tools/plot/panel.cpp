@@ -101,7 +101,7 @@ class Painter {
       } else {
         const double x = across(mark.at);
         pen_.rule(x, plot_.top, x, plot_.bottom(), 0.35, 0.9);
-        pen_.text(x - 4, plot_.top + 12, mark.text, kText_px - 1, Align::Right);
+        pen_.text(x - 4, plot_.bottom() - 6, mark.text, kText_px - 1, Align::Right);
       }
     }
   }

@@ -66,12 +66,6 @@ void Pen::rule(double x0, double y0, double x1, double y1, double gray, double w
   cairo_stroke(context_);
 }
 
-void Pen::white_box(const Box& box) {
-  cairo_set_source_rgb(context_, 1, 1, 1);
-  cairo_rectangle(context_, box.left, box.top, box.width, box.height);
-  cairo_fill(context_);
-}
-
 void Pen::use(const Style& style) {
   cairo_set_source_rgb(context_, style.colour.red, style.colour.green, style.colour.blue);
 }

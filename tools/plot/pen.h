@@ -33,7 +33,6 @@ class Pen {
 
   /// A thin line of the axes and grids.
   void rule(double x0, double y0, double x1, double y1, double gray, double width_px);
-  void white_box(const Box& box);
 
   /// The current path in the style's line.
   void stroke(const Style& style);

@@ -4,8 +4,8 @@
 //   false_accepts [--words N] [--safe-words N] [--seed N] [--threads N] [--family F]... [--csv DIR]
 //                 [FOLDER...]
 //
-// Without --family: all bundled families. Without FOLDER: no pictures; tools/fetch_photographs.sh gets
-// some. Tables as markdown go to stdout, with --csv also to DIR.
+// Without --family: all bundled families. Without FOLDER: no pictures; tools/fetch_photographs.sh
+// gets some. Tables as markdown go to stdout, with --csv also to DIR.
 #include <fmt/format.h>
 
 #include <cstdio>
