@@ -113,7 +113,8 @@ void add_detections(py::module_& module) {
       .def_readonly("inverted", &Detection::inverted)
       .def_readonly("mirrored", &Detection::mirrored)
       .def_property_readonly(
-          "center", [](py::object d) { return view_of(&d.cast<const Detection&>().center.x, {2}, d); })
+          "center",
+          [](py::object d) { return view_of(&d.cast<const Detection&>().center.x, {2}, d); })
       .def_property_readonly("corners",
                              [](py::object d) {
                                return view_of(&d.cast<const Detection&>().corners[0].x, {4, 2}, d);
@@ -155,8 +156,10 @@ void add_detection(py::module_& module) {
       .def_readonly("cx", &Camera::cx)
       .def_readonly("cy", &Camera::cy);
   py::class_<Pose>(module, "Pose")
-      .def_property_readonly(
-          "R", [](py::object p) { return view_of(p.cast<const Pose&>().R.data(), {3, 3}, p); })
+      .def_property_readonly("R",
+                             [](py::object p) {
+                               return view_of(p.cast<const Pose&>().R.data(), {3, 3}, p);
+                             })
       .def_property_readonly(
           "t", [](py::object p) { return view_of(p.cast<const Pose&>().t.data(), {3}, p); })
       .def_readonly("error", &Pose::error);

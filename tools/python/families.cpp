@@ -40,8 +40,7 @@ py::array codewords(const std::shared_ptr<Family>& family) {
 }
 
 py::array_t<std::uint8_t> cells(const Family& family, std::uint64_t id) {
-  const auto picture =
-      codec::tag_cells(family.layout(), family.codeword(checked_id(family, id)));
+  const auto picture = codec::tag_cells(family.layout(), family.codeword(checked_id(family, id)));
   py::array_t<std::uint8_t> pixels({picture.width(), picture.width()});
   auto out = pixels.mutable_unchecked<2>();
   for (int y = 0; y < picture.width(); ++y) {
@@ -85,7 +84,8 @@ void add_families(py::module_& module) {
       .def_property_readonly("bits", &Family::bits)
       .def_property_readonly("min_hamming", &Family::min_hamming)
       .def_property_readonly("max_safe_errors", &Family::max_safe_errors)
-      .def_property_readonly("layout", [](const Family& f) { return codec::layout_name(f.layout()); })
+      .def_property_readonly("layout",
+                             [](const Family& f) { return codec::layout_name(f.layout()); })
       .def_property_readonly("width", [](const Family& f) { return f.layout().width(); })
       .def_property_readonly("width_at_border",
                              [](const Family& f) { return f.layout().width_at_border(); })
@@ -94,14 +94,16 @@ void add_families(py::module_& module) {
            [](const Family& f) {
              return "<tagmint.Family " + f.name() + ", " + std::to_string(f.size()) + " tags>";
            })
-      .def("codeword",
-           [](const Family& f, std::uint64_t id) { return f.codeword(checked_id(f, id)); },
-           py::arg("id"))
+      .def(
+          "codeword",
+          [](const Family& f, std::uint64_t id) { return f.codeword(checked_id(f, id)); },
+          py::arg("id"))
       .def("codewords", &codewords)
       .def("cells", &cells, py::arg("id"))
       .def("check", &prove, py::arg("threads") = 0)
-      .def("save", [](const Family& f, const std::string& path) { codec::write_family(f, path); },
-           py::arg("path"));
+      .def(
+          "save", [](const Family& f, const std::string& path) { codec::write_family(f, path); },
+          py::arg("path"));
   module.def("family_names", [] {
     const auto names = codec::family_names();
     return std::vector<std::string>(names.begin(), names.end());
