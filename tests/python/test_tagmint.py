@@ -54,10 +54,15 @@ class Families(unittest.TestCase):
         with self.assertRaisesRegex(tagmint.InputError, "did you mean 'tag36h11'"):
             tagmint.family("tag36h1")
 
+    @unittest.skipUnless(os.environ.get("TAGMINT_SLOW_TESTS"), "takes a minute")
     def test_rotation_codes_are_generated(self):
         family = tagmint.generate_rotation_code("classic:8", 8)
         self.assertGreaterEqual(family.min_hamming, 8)
         family.check()
+
+    def test_a_search_that_finds_nothing_says_so(self):
+        with self.assertRaisesRegex(ValueError, "no code"):
+            tagmint.generate_rotation_code("classic:7", 5)
 
 
 class Decoding(unittest.TestCase):
