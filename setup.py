@@ -1,6 +1,7 @@
 """Builds the Python module through CMake; the version is that of CMakeLists.txt."""
 import os
 import re
+import shlex
 import shutil
 import subprocess
 import sys
@@ -19,7 +20,8 @@ class BuildWithCMake(build_ext):
         subprocess.run(["cmake", "-S", str(ROOT), "-B", str(folder), "-G", "Ninja",
                         "-DCMAKE_BUILD_TYPE=Release", "-DTAGMINT_BUILD_TESTS=OFF",
                         "-DTAGMINT_BUILD_PYTHON=ON", "-DTAGMINT_WITH_MPI=OFF",
-                        f"-DPython_EXECUTABLE={sys.executable}"], check=True)
+                        f"-DPython_EXECUTABLE={sys.executable}",
+                        *shlex.split(os.environ.get("CMAKE_ARGS", ""))], check=True)
         subprocess.run(["cmake", "--build", str(folder), "--target", "tagmint_python"], check=True)
         built = next((folder / "python" / "tagmint").glob("_core*.so"))
         target = Path(self.get_ext_fullpath(ext.name))
