@@ -1,5 +1,5 @@
-# `cpack -G DEB` and `cpack -G TGZ`: Debian packages libtagmint, libtagmint-dev and tagmint, and an
-# archive of all.
+# `cpack -G DEB`: Debian packages libtagmint, libtagmint-dev and tagmint. What is installed without a
+# component of ours goes into none of them.
 set(CPACK_PACKAGE_NAME tagmint)
 set(CPACK_PACKAGE_VENDOR "the tagmint authors")
 set(CPACK_PACKAGE_CONTACT "the tagmint authors <tagmint@localhost>")
