@@ -1,5 +1,7 @@
 #include "evaluate/field.h"
 
+#include <utility>
+
 #include "evaluate/experiment.h"
 #include "scene/render.h"
 
@@ -36,12 +38,13 @@ std::vector<FoundTag> Field::see(std::size_t entrant, int thread, detect::ImageV
   return contender.found();
 }
 
-std::vector<std::vector<View>> Field::views(int pictures, const SceneOf& scene_of,
-                                            const Work& work) {
+std::vector<std::vector<View>> Field::views(int pictures, const SceneOf& scene_of, const Work& work,
+                                            const Finish& finish) {
   std::vector<std::vector<View>> views(static_cast<std::size_t>(pictures));  // by picture, entrant
   work.for_each(pictures, [&](int picture, int thread) {
     const scene::Scene scene = scene_of(picture);
-    const scene::Rendering rendering = scene::render(scene, 1);
+    scene::Rendering rendering = scene::render(scene, 1);
+    if (finish) rendering.image = finish(std::move(rendering.image));
     std::vector<View>& own = views[static_cast<std::size_t>(picture)];
     for (std::size_t i = 0; i < entrants_.size(); ++i) {
       own.push_back(judge(see(i, thread, rendering.image.view()), scene, rendering.truth));
@@ -51,9 +54,10 @@ std::vector<std::vector<View>> Field::views(int pictures, const SceneOf& scene_o
   return views;
 }
 
-std::vector<Tally> Field::show(int pictures, const SceneOf& scene_of, const Work& work) {
+std::vector<Tally> Field::show(int pictures, const SceneOf& scene_of, const Work& work,
+                               const Finish& finish) {
   std::vector<Tally> tallies(entrants_.size());
-  for (const std::vector<View>& of_picture : views(pictures, scene_of, work)) {
+  for (const std::vector<View>& of_picture : views(pictures, scene_of, work, finish)) {
     for (std::size_t i = 0; i < entrants_.size(); ++i) tallies[i].add(of_picture[i]);
   }
   return tallies;

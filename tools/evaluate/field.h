@@ -9,6 +9,7 @@
 #include "evaluate/sighting.h"
 #include "evaluate/work.h"
 #include "scene/scene.h"
+#include "tagmint/detect/image.h"
 
 namespace tagmint::evaluate {
 
@@ -37,12 +38,16 @@ class Field {
   Contender& detector(std::size_t entrant, int thread);
 
   using SceneOf = std::function<scene::Scene(int picture)>;
+  using Finish = std::function<detect::Image(detect::Image)>;
   /// Draws `pictures` scenes and shows each to all entrants, on the threads of the work.
   ///   scene_of   the scene of a number, always the same; called from several threads
+  ///   finish     what is done to the drawn picture before it is shown; nothing = nothing
   ///   returns    what each entrant saw, by picture and entrant
-  std::vector<std::vector<View>> views(int pictures, const SceneOf& scene_of, const Work& work);
+  std::vector<std::vector<View>> views(int pictures, const SceneOf& scene_of, const Work& work,
+                                       const Finish& finish = {});
   /// The same as a tally for each entrant.
-  std::vector<Tally> show(int pictures, const SceneOf& scene_of, const Work& work);
+  std::vector<Tally> show(int pictures, const SceneOf& scene_of, const Work& work,
+                          const Finish& finish = {});
 
  private:
   std::vector<Entrant> entrants_;

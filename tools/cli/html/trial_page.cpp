@@ -157,7 +157,8 @@ std::string mistaken(const Table& table, const std::vector<codec::SharedFamily>&
                      {"in clutter without tags"},
                      {"wrong reports above"}},
                     rows) +
-         "<div class=\"charts\"><figure><figcaption>Random words taken for a tag, theory; hollow: "
+         "<div class=\"charts\" style=\"max-width:34rem\"><figure><figcaption>Random words taken "
+         "for a tag, theory; hollow: "
          "beyond the safe radius</figcaption>" +
          log_chart_svg(chart) + "</figure></div>\n";
 }

@@ -7,6 +7,7 @@
 #include "evaluate/curves.h"
 #include "evaluate/experiments/kinds.h"
 #include "evaluate/field.h"
+#include "evaluate/jpeg_harm.h"
 #include "evaluate/scenes.h"
 
 namespace tagmint::evaluate {
@@ -20,6 +21,8 @@ struct Harm {
   std::vector<double> levels;
   void (*apply)(double level, std::uint64_t seed, scene::Scene& scene);
 };
+
+constexpr const char* kJpeg = "jpeg";
 
 const std::vector<Harm>& harms() {
   static const std::vector<Harm> all = {
@@ -59,7 +62,12 @@ const std::vector<Harm>& harms() {
        [](double level, std::uint64_t seed, scene::Scene& scene) {
          const auto angle = static_cast<double>(seed % 180);
          scene.effects.motion_blur = {.length_px = level, .angle_deg = angle};
-       }}};
+       }},
+      {kJpeg,
+       "JPEG quality",
+       false,
+       {100, 80, 60, 40, 30, 20, 15, 10, 5},
+       [](double, std::uint64_t, scene::Scene&) {}}};  // on the finished picture
   return all;
 }
 
@@ -95,6 +103,12 @@ class Robustness : public Experiment {
 
   Rows run(std::size_t point, const Work& work) override {
     const auto [harm, level] = steps_[point];
+    Field::Finish finish;
+    if (harm->name == kJpeg) {
+      finish = [quality = static_cast<int>(level)](const detect::Image& image) {
+        return through_jpeg(image, quality);
+      };
+    }
     const std::vector<Tally> tallies = field_.show(
         pictures_,
         [&, harm = harm, level = level](int picture) {
@@ -104,7 +118,7 @@ class Robustness : public Experiment {
           harm->apply(level, seed, scene);
           return scene;
         },
-        work);
+        work, finish);
     Rows rows;
     for (std::size_t i = 0; i < tallies.size(); ++i) {
       const Tally& tally = tallies[i];
