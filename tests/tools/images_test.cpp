@@ -4,6 +4,7 @@
 #include <png.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <stdexcept>
 #include <string>
@@ -194,6 +195,38 @@ TEST(Images, JpegKeepsFlatColoursToALevel) {
   EXPECT_NEAR(flat({255, 255, 255, 255}, false), 255, 1);
   EXPECT_NEAR(flat({255, 0, 0, 255}, false), 76, 1);
   EXPECT_NEAR(flat({255, 255, 255, 0}, false), 0, 1);
+}
+
+TEST(Images, JpegLosesMoreAtLowerQuality) {
+  detect::Image image(161, 117);
+  for (int y = 0; y < 117; ++y) {
+    for (int x = 0; x < 161; ++x) {
+      image.at(x, y) = static_cast<std::uint8_t>(((x / 7 + y / 5) % 2 == 0 ? 40 : 210) + x % 3);
+    }
+  }
+  double last = 0;
+  for (const int quality : {100, 75, 30, 5}) {
+    const detect::Image kept = decode_gray_image(encode_jpeg(image.view(), quality), "memory");
+    ASSERT_EQ(kept.width(), 161);
+    ASSERT_EQ(kept.height(), 117);
+    double squares = 0;
+    for (int y = 0; y < 117; ++y) {
+      for (int x = 0; x < 161; ++x) squares += std::pow(kept.at(x, y) - image.at(x, y), 2);
+    }
+    if (quality == 100) {
+      EXPECT_LT(squares / (161 * 117), 1);  // levels squared
+    }
+    EXPECT_GT(squares, last) << quality;
+    last = squares;
+  }
+}
+
+TEST(Images, ImpossibleJpegsAreNotWritten) {
+  const detect::Image image(8, 8, 100);
+  EXPECT_THROW(encode_jpeg(image.view(), 0), std::invalid_argument);
+  EXPECT_THROW(encode_jpeg(image.view(), 101), std::invalid_argument);
+  EXPECT_THROW(encode_jpeg(detect::ImageView{}, 80), std::invalid_argument);
+  EXPECT_THROW(encode_jpeg(detect::Image(65501, 1).view(), 80), std::invalid_argument);
 }
 
 TEST(Images, TiffOfEachKindIsRead) {

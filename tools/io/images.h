@@ -59,6 +59,12 @@ std::string encode_png(const RgbImage& image, std::optional<double> dpi = {});
 std::string encode_pnm(const detect::ImageView& image);
 std::string encode_pnm(const RgbImage& image);
 
+/// The image as the content of a JPEG file.
+///   quality  1 (coarsest) .. 100, libjpeg's scale
+/// Throws std::invalid_argument for another quality, an empty image or a side of more than 65500
+/// px.
+std::string encode_jpeg(const detect::ImageView& image, int quality);
+
 /// Write an image file: whole or not at all. Throws codec::OutputError, and std::invalid_argument
 /// as encode_png() does.
 void write_png(const std::filesystem::path& path, const detect::ImageView& image,
