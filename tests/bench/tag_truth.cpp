@@ -16,8 +16,6 @@
 #include <vector>
 
 #include "refine/refine_photometric.h"
-#include "scene/effects.h"
-#include "scene/light.h"
 #include "scene/random_scene.h"
 #include "scene/render.h"
 #include "tagmint/codec/builtin_families.h"
@@ -40,9 +38,6 @@ struct Kind {
   scene::RandomSceneOptions options;
   double gamma = 1;  ///< exponent of the camera's tone curve, applied to light between 0 and 255
   std::string family = "tag36h11";
-  /// Drawn and blurred so many times larger, then averaged: blur as a lens makes it, before the
-  /// pixels, and not between them.
-  int fineness = 1;
 };
 
 struct Picture {
@@ -51,42 +46,16 @@ struct Picture {
   std::vector<scene::TagTruth> truth;
 };
 
-/// Means over squares of `step` pixels.
-scene::GrayPlane averaged(const scene::GrayPlane& fine, int step) {
-  scene::GrayPlane plane(fine.width / step, fine.height / step);
-  for (int y = 0; y < plane.height; ++y) {
-    for (int x = 0; x < plane.width; ++x) {
-      float sum = 0;
-      for (int j = 0; j < step; ++j) {
-        for (int i = 0; i < step; ++i) sum += fine.row(y * step + j)[x * step + i];
-      }
-      plane.row(y)[x] = sum / static_cast<float>(step * step);
-    }
-  }
-  return plane;
-}
-
 Picture draw(const Kind& kind, std::uint64_t seed) {
   scene::RandomSceneOptions options = kind.options;
   options.seed = seed;
-  options.width *= kind.fineness;
-  options.height *= kind.fineness;
-  options.min_side_px *= kind.fineness;
-  options.max_side_px *= kind.fineness;
-  options.effects.blur_sigma_px *= kind.fineness;
+  options.effects.gamma = kind.gamma;
   const std::vector<scene::TagChoice> choices = {{codec::find_family(kind.family), {}}};
   Picture picture;
   picture.scene = random_scene(choices, options);
-  scene::Drawing drawing = draw_tags(picture.scene);
-  apply_shading(options.effects.shading, drawing.plane);
-  apply_blur(options.effects.blur_sigma_px, drawing.plane);
-  drawing.plane = averaged(drawing.plane, kind.fineness);
-  for (scene::TagTruth& tag : drawing.truth) {
-    for (detect::Point& corner : tag.corners) corner = (1.0 / kind.fineness) * corner;
-  }
-  apply_gamma(kind.gamma, drawing.plane);
-  picture.image = add_noise_and_round(drawing.plane, options.effects.noise_sigma, seed);
-  picture.truth = std::move(drawing.truth);
+  scene::Rendering rendering = render(picture.scene);
+  picture.image = std::move(rendering.image);
+  picture.truth = std::move(rendering.truth);
   return picture;
 }
 
@@ -284,10 +253,7 @@ std::vector<Kind> kinds() {
   kinds.push_back({"12-20 px", options(12, 20, 10, 0.5, 2)});
   kinds.push_back({"20-40 px", options(20, 40, 10, 0.5, 2)});
   kinds.push_back({"20-40 px, gamma 2.2", options(20, 40, 10, 0.5, 2), 2.2});
-  kinds.push_back({"fine 10-12 px", options(10, 12, 0.1, 0.5, 2), 1, "tag36h11", 4});
-  kinds.push_back({"fine 12-20 px", options(12, 20, 10, 0.5, 2), 1, "tag36h11", 4});
-  kinds.push_back({"fine 20-40 px", options(20, 40, 10, 0.5, 2), 1, "tag36h11", 4});
-  kinds.push_back({"fine no noise 20-40 px", options(20, 40, 10, 0.7, 0), 1, "tag36h11", 4});
+  kinds.push_back({"20-40 px, no noise, blur 0.7", options(20, 40, 10, 0.7, 0)});
   kinds.push_back({"tilt 60-75", options(40, 100, 75, 0.7, 2)});
   kinds.push_back({"noise 0, blur 0.5", options(15, 80, 40, 0.5, 0)});
   kinds.push_back({"noise 1, no blur", options(15, 80, 40, 0, 1)});

@@ -16,10 +16,9 @@ using Polygon = std::vector<Point>;
 /// The coverage of every pixel of a width x height image, row-major.
 std::vector<double> pixels_of(const Coverage& coverage, int width, int height) {
   std::vector<double> pixels(static_cast<std::size_t>(width) * height, 0.0);
-  const PixelBox box = coverage.box();
-  for (int y = box.y0; y < box.y1; ++y) {
-    coverage.read_row(y, std::span(pixels).subspan(static_cast<std::size_t>(y) * width + box.x0,
-                                                   box.x1 - box.x0));
+  for (int y = 0; y < height; ++y) {
+    Coverage::Row row = coverage.row(y);
+    for (int x = 0; x < width; ++x) pixels[static_cast<std::size_t>(y) * width + x] = row.next();
   }
   return pixels;
 }
@@ -54,14 +53,13 @@ TEST(Coverage, OfADiagonalIsHalfOfThePixelsOnIt) {
 
 TEST(Coverage, SumsUpToThePolygonsArea) {
   RandomStream random(5);
-  Coverage coverage(40, 30);
   for (int i = 0; i < 300; ++i) {
     Polygon triangle;
     for (int k = 0; k < 3; ++k) triangle.push_back({random.uniform(0, 40), random.uniform(0, 30)});
     if (cross(triangle[1] - triangle[0], triangle[2] - triangle[0]) < 0) {
       std::swap(triangle[1], triangle[2]);
     }
-    coverage.clear();
+    Coverage coverage(40, 30);
     coverage.add(triangle);
     EXPECT_NEAR(sum(pixels_of(coverage, 40, 30)), coverage.total_area(), 1e-10);
   }
@@ -114,12 +112,12 @@ TEST(Coverage, CutsOffWhatIsOutsideTheImage) {
   Coverage coverage(6, 4);
   coverage.add(Polygon{{-1e7, -1e6}, {1e7, -1e6}, {1e7, 1e6}, {-1e7, 1e6}});
   for (const double share : pixels_of(coverage, 6, 4)) EXPECT_NEAR(share, 1, 1e-9);
-  coverage.clear();
+  coverage.reset(6, 4);
   for (const Point shift : {Point{-20, 0}, Point{20, 0}, Point{0, -20}, Point{0, 20}}) {
     coverage.add(Polygon{shift, shift + Point{3, 1}, shift + Point{3, 3}, shift + Point{0, 3}});
   }
   for (const double share : pixels_of(coverage, 6, 4)) EXPECT_NEAR(share, 0, 1e-12);
-  coverage.clear();
+  coverage.reset(6, 4);
   coverage.add(Polygon{{-2, 2}, {3, -3}, {8, 2}, {3, 7}});  // a diamond over all four sides
   double expected = 0;
   for (int i = 0; i < 6 * 1000; ++i) {
@@ -130,14 +128,14 @@ TEST(Coverage, CutsOffWhatIsOutsideTheImage) {
   EXPECT_NEAR(sum(pixels_of(coverage, 6, 4)), expected, 1e-5);
 }
 
-TEST(Coverage, IsEmptyAgainAfterClear) {
-  Coverage coverage(6, 4);
-  coverage.add(Polygon{{-2, 2}, {3, -3}, {8, 2}, {3, 7}});
-  coverage.clear();
-  EXPECT_TRUE(coverage.box().empty());
-  EXPECT_EQ(coverage.total_area(), 0);
-  coverage.add(Polygon{{0, 0}, {6, 0}, {6, 1}, {0, 1}});
-  EXPECT_NEAR(sum(pixels_of(coverage, 6, 4)), 6, 1e-12);
+TEST(Coverage, BoxHoldsTheTouchedPixelsOfTheImage) {
+  const PixelBox box = box_of(Polygon{{-3, 1.5}, {2.25, 1}, {4, 9}}, 6, 4);
+  EXPECT_EQ(box.x0, 0);
+  EXPECT_EQ(box.y0, 1);
+  EXPECT_EQ(box.x1, 4);
+  EXPECT_EQ(box.y1, 4);
+  EXPECT_TRUE(box_of(Polygon{{-3, 1}, {-1, 2}}, 6, 4).empty());
+  EXPECT_TRUE(box_of(Polygon{}, 6, 4).empty());
 }
 
 }  // namespace

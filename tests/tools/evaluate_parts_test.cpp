@@ -117,7 +117,7 @@ TEST(EvaluateScenes, TiltedTagsHaveTheirAngle) {
 TEST(EvaluateJudge, RightTagsCountAndOthersAreWrong) {
   const scene::Scene scene = frontal_scene(codec::find_family("tag36h11"), 2, 3, 5);
   ASSERT_GE(scene.tags.size(), 2U);
-  const auto truth = scene::draw_tags(scene).truth;
+  const auto truth = scene::render(scene).truth;
   std::vector<FoundTag> reports(3);
   for (std::size_t i = 0; i < 2; ++i) {
     reports[i].id = scene.tags[i].id;

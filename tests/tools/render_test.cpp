@@ -1,6 +1,7 @@
 #include "scene/render.h"
 
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include <cmath>
 #include <numbers>
@@ -110,7 +111,7 @@ TEST(Render, BendsEdgesAsTheLensDoes) {
   const SceneTag tag = tag_at({0.0, -0.02, 0.4}, {0, 0, 0}, 0.16);
   scene.tags = {tag};
   const Rendering rendering = render(scene);
-  const TagProjection projection(tag, scene.camera);
+  const TagProjection projection(tag.place, scene.camera);
   int columns = 0;
   double bend = 0;
   for (int i = -80; i <= 80; ++i) {
@@ -190,25 +191,50 @@ TEST(Render, DependsOnTheSeedAndNotOnThreads) {
   EXPECT_NE(one, render(scene, 1).image);
 }
 
-TEST(Render, OfLightMarksAndCameraEffectsDoesNotDependOnThreads) {
+TEST(Render, OfAllEffectsDoesNotDependOnThreads) {
   Scene scene = plain_scene(320, 240);
   scene.background = ClutterBackground{};
-  scene.tags = {tag_at({0, 0, 0.5}, {20, 30, 40})};
+  scene.tags = {tag_at({0, 0, 0.5}, {20, 30, 40}), tag_at({0.1, 0, 0.6}, {-20, 10, 80})};
   scene.marks = {{.path = {{100, 90}, {200, 140}}, .width_px = 5}};
   scene.effects.shadows = {{.polygon = {{0, 0}, {180, 0}, {120, 240}, {0, 240}}, .light = 0.5}};
   scene.effects.glare = {{.centre = {160, 100}, .radius_px = 20, .strength = 90}};
   scene.effects.vignetting = 0.4;
   scene.effects.motion_blur = {.length_px = 5, .angle_deg = 20};
+  scene.effects.defocus_px = 1.2;
+  scene.effects.blur_sigma_px = 0.6;
+  scene.effects.electrons_per_level = 20;
   scene.effects.gamma = 2.2;
   scene.effects.noise_sigma = 2;
-  const detect::Image one = render(scene, 1).image;
-  EXPECT_EQ(one, render(scene, 2).image);
-  const std::vector<TagTruth> truth = render(scene).truth;
-  scene.marks.clear();
-  scene.effects = {};
+  scene.effects.jpeg_quality = 85;
+  // More threads than cores, too.
+  const tbb::global_control eight(tbb::global_control::max_allowed_parallelism, 8);
+  for (const double blur_px : {0.6, 4.0}) {
+    scene.effects.blur_sigma_px = blur_px;
+    const Rendering one = render(scene, 1);
+    for (const int threads : {2, 3, 5, 8, 0}) {
+      for (int again = 0; again < 3; ++again) {
+        const Rendering other = render(scene, threads);
+        ASSERT_EQ(one.image, other.image) << threads;
+        ASSERT_EQ(one.jpeg, other.jpeg) << threads;
+        for (std::size_t i = 0; i < 2; ++i) {
+          EXPECT_EQ(one.truth[i].corners, other.truth[i].corners);
+          EXPECT_EQ(one.truth[i].visible_px, other.truth[i].visible_px);
+        }
+      }
+    }
+  }
+}
+
+TEST(Render, EffectsMoveNoCorners) {
+  Scene scene = plain_scene(320, 240);
+  scene.tags = {tag_at({0, 0, 0.5}, {20, 30, 40})};
   const Rendering plain = render(scene);
-  EXPECT_NE(one, plain.image);
-  EXPECT_EQ(truth[0].corners, plain.truth[0].corners);
+  scene.effects.motion_blur = {.length_px = 5, .angle_deg = 20};
+  scene.effects.defocus_px = 1.2;
+  scene.effects.gamma = 2.2;
+  const Rendering other = render(scene);
+  EXPECT_NE(plain.image, other.image);
+  EXPECT_EQ(plain.truth[0].corners, other.truth[0].corners);
 }
 
 TEST(Render, LaysMarksOverTags) {
@@ -278,6 +304,15 @@ TEST(Render, VisibleShareCountsWhatTheImageCutsOff) {
   EXPECT_NEAR(rendering.truth[1].visible, 0.25, 1e-6);
   EXPECT_EQ(rendering.truth[2].visible, 0);
   EXPECT_NEAR(rendering.truth[3].visible, 1, 1e-6);
+  // 100 px wide with its white ring.
+  EXPECT_NEAR(rendering.truth[0].visible_px, 5000, 0.01);
+  EXPECT_NEAR(rendering.truth[3].visible_px, 10000, 0.01);
+  // On a grid finer than the pixels it is the same area.
+  scene.effects.blur_sigma_px = 0.5;
+  const Rendering blurred = render(scene);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_NEAR(blurred.truth[i].visible_px, rendering.truth[i].visible_px, 0.01);
+  }
 }
 
 TEST(Render, DrawsATagThatReachesBehindTheCamera) {
@@ -295,7 +330,7 @@ TEST(Render, DrawsATagThatReachesBehindTheCamera) {
   const auto level_at = [&](double x, double y) {
     // Tag points on the far side of the horizon have the other sign of depth.
     const Point p = to_tag->project({x, y});
-    const bool in_front = TagProjection(scene.tags[0], scene.camera).depth(p) > 0;
+    const bool in_front = TagProjection(scene.tags[0].place, scene.camera).depth(p) > 0;
     const int column = static_cast<int>(std::floor(4 * p.x + 5));
     const int row = static_cast<int>(std::floor(4 * p.y + 5));
     const bool on_tag = in_front && column >= 0 && row >= 0 && column < 10 && row < 10;

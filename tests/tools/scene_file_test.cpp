@@ -77,7 +77,8 @@ TEST(SceneFile, ReadsMarksLightAndTheCamerasEffects) {
     "marks": [{"path": [[1, 2], [3, 4]], "width_px": 1.5, "gray": 60}, {"path": [[5, 6]]}],
     "shadows": [{"polygon": [[0, 0], [90, 0], [0, 90]], "light": 0.4}],
     "glare": [{"center": [30, 40], "radius_px": 20, "strength": 150}],
-    "vignetting": 0.3, "motion_blur": {"length_px": 6, "angle_deg": 30}, "gamma": 2.2})");
+    "vignetting": 0.3, "motion_blur": {"length_px": 6, "angle_deg": 30}, "gamma": 2.2,
+    "defocus_px": 1.5, "electrons_per_level": 40, "jpeg_quality": 75})");
   EXPECT_EQ(std::get<ClutterBackground>(scene.background).shapes, 70);
   EXPECT_EQ(std::get<ClutterBackground>(scene.background).min_px, 5);
   EXPECT_EQ(std::get<ClutterBackground>(scene.background).max_px, 90);
@@ -97,6 +98,9 @@ TEST(SceneFile, ReadsMarksLightAndTheCamerasEffects) {
   EXPECT_EQ(scene.effects.motion_blur.length_px, 6);
   EXPECT_EQ(scene.effects.motion_blur.angle_deg, 30);
   EXPECT_EQ(scene.effects.gamma, 2.2);
+  EXPECT_EQ(scene.effects.defocus_px, 1.5);
+  EXPECT_EQ(scene.effects.electrons_per_level, 40);
+  EXPECT_EQ(scene.effects.jpeg_quality, 75);
 }
 
 TEST(SceneFile, LeavesDefaultsWhereNothingIsSaid) {
@@ -113,8 +117,9 @@ TEST(SceneFile, NamesThePlaceOfEveryFault) {
                "not valid JSON (test.json:2); look for a missing comma, quote or bracket there");
   expect_fault("[]",
                "the scene is not an object (test.json); write {...} with the keys width, height, "
-               "camera, background, quiet_zone_cells, tags, marks, black, white, shading, shadows, "
-               "glare, vignetting, motion_blur, blur_px, gamma, noise, seed");
+               "camera, background, quiet_zone_cells, boards, tags, marks, black, white, shading, "
+               "shadows, glare, vignetting, motion_blur, defocus_px, blur_px, "
+               "electrons_per_level, gamma, noise, jpeg_quality, seed");
   expect_fault(R"({"width":1,"width":2,"height":3,"tags":[]})",
                "the key 'width' is given twice (test.json); keep one of them");
   expect_fault(R"({"width":9,"heigth":3,"tags":[]})",
@@ -153,6 +158,12 @@ TEST(SceneFile, NamesTheMarkOrTheLightAtFault) {
                "glare[0] has an unknown key 'radius_pix' (test.json); did you mean 'radius_px'?");
   expect_fault(with(R"("motion_blur":{"length_px":-1})"),
                "motion_blur.length_px is -1 (test.json); it must be from 0 to 1000");
+  expect_fault(with(R"("defocus_px":101)"),
+               "defocus_px is 101 (test.json); it must be from 0 to 100");
+  expect_fault(with(R"("electrons_per_level":0)"),
+               "electrons_per_level is 0 (test.json); it must be from 0.001 to 1000000");
+  expect_fault(with(R"("jpeg_quality":0)"),
+               "jpeg_quality is 0 (test.json); it must be a whole number from 1 to 100");
   expect_fault(with(R"("gamma":0)"), "gamma is 0 (test.json); it must be from 0.1 to 10");
   expect_fault(with(R"("background":{"clutter":{"min_px":9,"max_px":8}})"),
                "background.clutter.max_px is 8; it must be from 9 to 1000000 (test.json)");
@@ -233,6 +244,7 @@ TEST(TruthFile, ComesBackAsItWas) {
     }
     EXPECT_EQ(tag.at("homography").get<std::vector<double>>().size(), 9U);
     EXPECT_NEAR(tag.at("visible").get<double>(), 1, 1e-6);
+    EXPECT_NEAR(tag.at("visible_px").get<double>(), rendering.truth[i].visible_px, 1e-3);
   }
   const auto& posed = std::get<PosedTag>(scene.tags[0].place);
   EXPECT_EQ(truth.at("tags")[0].at("edge_m"), 0.1);

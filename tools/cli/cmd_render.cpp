@@ -19,8 +19,17 @@
 namespace tagmint::cli {
 namespace {
 
+/// The picture as a file of one of the formats.
+std::string encode(const scene::Rendering& rendering, const std::string& format) {
+  constexpr int kQuality = 95;  // where the scene asks for none
+  const detect::ImageView image = rendering.image.view();
+  if (format == "png") return io::encode_png(image);
+  if (format != "jpg" && format != "jpeg") return io::encode_pnm(image);
+  return rendering.jpeg.empty() ? io::encode_jpeg(image, kQuality) : rendering.jpeg;
+}
+
 int run(const RenderArguments& arguments, const Common& common) {
-  const std::vector<std::string> formats = {"png", "pgm", "pnm"};
+  const std::vector<std::string> formats = {"png", "pgm", "pnm", "jpg", "jpeg"};
   const std::string format = choose_format(arguments.format, arguments.output, formats, "png");
   if (is_stdout(arguments.output) && is_stdout(arguments.truth) && !arguments.truth.empty()) {
     throw UsageError("image and truth cannot both go to stdout", "--truth", "give one a file");
@@ -32,8 +41,7 @@ int run(const RenderArguments& arguments, const Common& common) {
   if (!is_stdout(arguments.truth)) require_writable(arguments.truth);
   const scene::Scene scene = plan_scene(arguments);
   const scene::Rendering rendering = scene::render(scene, common.threads);
-  const detect::ImageView image = rendering.image.view();
-  write_output(arguments.output, format == "png" ? io::encode_png(image) : io::encode_pnm(image));
+  write_output(arguments.output, encode(rendering, format));
   if (!arguments.truth.empty()) {
     write_output(arguments.truth, scene::format_truth(scene, rendering.truth));
   }
@@ -89,8 +97,9 @@ void add_random_options(CLI::App& app, RenderArguments& arguments) {
       ->check(CLI::Range(0, 64))
       ->group(group);
   app.add_option("--background", arguments.background,
-                 "gray:N, gradient:A,B, texture[:N,AMPLITUDE], clutter[:SHAPES] or a picture")
+                 "gray:N, gradient:A,B, clutter, a file; else texture")
       ->type_name("WHAT")
+      ->default_str("")
       ->group(group);
   app.add_option("--noise", random.effects.noise_sigma, "sigma of the noise, gray levels")
       ->type_name("S")
@@ -110,6 +119,19 @@ void add_random_options(CLI::App& app, RenderArguments& arguments) {
       ->group(group);
   app.add_option("--motion-blur", arguments.motion_blur, "length of the movement and its direction")
       ->type_name("PX[,DEG]")
+      ->group(group);
+  app.add_option("--defocus", random.effects.defocus_px, "radius of the blur out of focus, px")
+      ->type_name("PX")
+      ->check(number_between(0, 100))
+      ->group(group);
+  app.add_option("--electrons", random.effects.electrons_per_level,
+                 "a gray level's, for shot noise; 0 = none")
+      ->type_name("N")
+      ->check(number_between(0, 1e6))
+      ->group(group);
+  app.add_option("--jpeg", random.effects.jpeg_quality, "quality of a JPEG on the way; 0 = none")
+      ->type_name("Q")
+      ->check(CLI::Range(0, 100))
       ->group(group);
   app.add_option("--gamma", random.effects.gamma, "of the camera")
       ->type_name("G")
@@ -137,8 +159,8 @@ Runner set_up(CLI::App& app, const Common& common) {
                                .noise_sigma = 2};
   app.add_option("INPUT", arguments->inputs, "a scene file, or families for a random scene")
       ->required();
-  add_output(app, arguments->output, "PNG or PGM image, by its extension")->required();
-  add_choice(app, "--format", arguments->format, {"png", "pgm"}, "form of the image")
+  add_output(app, arguments->output, "PNG, JPEG or PGM image, by its extension")->required();
+  add_choice(app, "--format", arguments->format, {"png", "jpg", "pgm"}, "form of the image")
       ->default_str("by -o");
   app.add_option("--truth", arguments->truth, "write the true corners and poses")
       ->type_name("FILE.json");

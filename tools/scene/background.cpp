@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "scene/clutter.h"
 #include "scene/counter_random.h"
+#include "scene/rows.h"
 
 namespace tagmint::scene {
 namespace {
@@ -19,18 +21,23 @@ double lattice_value(std::uint64_t seed, std::int64_t x, std::int64_t y) {
 /// 0 at 0, 1 at 1, flat at both: the weights of a smooth join between lattice points.
 double smooth_step(double t) { return t * t * (3 - 2 * t); }
 
-/// Lattice noise with blobs of `scale` pixels at one place.
-double value_noise(std::uint64_t seed, double x, double y, double scale) {
-  const double u = std::floor(x / scale);
+/// Adds `share` of lattice noise with blobs of `scale` pixels to the row of pixel centres at y.
+void add_value_noise(std::uint64_t seed, double y, double scale, double share,
+                     std::vector<double>& row) {
   const double v = std::floor(y / scale);
-  const double a = smooth_step(x / scale - u);
   const double b = smooth_step(y / scale - v);
-  const auto i = static_cast<std::int64_t>(u);
   const auto j = static_cast<std::int64_t>(v);
-  const double top = (1 - a) * lattice_value(seed, i, j) + a * lattice_value(seed, i + 1, j);
-  const double bottom =
-      (1 - a) * lattice_value(seed, i, j + 1) + a * lattice_value(seed, i + 1, j + 1);
-  return (1 - b) * top + b * bottom;
+  const auto column = [&](std::int64_t i) {
+    return (1 - b) * lattice_value(seed, i, j) + b * lattice_value(seed, i, j + 1);
+  };
+  std::int64_t i = 0;
+  double left = column(0), right = column(1);
+  for (std::size_t x = 0; x < row.size(); ++x) {
+    const double at = (static_cast<double>(x) + 0.5) / scale;
+    for (; i + 1 <= at; ++i) left = std::exchange(right, column(i + 2));
+    const double a = smooth_step(at - static_cast<double>(i));
+    row[x] += share * ((1 - a) * left + a * right);
+  }
 }
 
 GrayPlane draw(const PlainBackground& plain, int width, int height, std::uint64_t) {
@@ -40,38 +47,39 @@ GrayPlane draw(const PlainBackground& plain, int width, int height, std::uint64_
 GrayPlane draw(const GradientBackground& gradient, int width, int height, std::uint64_t) {
   GrayPlane plane(width, height);
   const Ramp ramp(width, height, gradient.angle_deg);
-  for (int y = 0; y < height; ++y) {
+  for_each_row(height, [&](int y) {
     for (int x = 0; x < width; ++x) {
-      const double t = ramp.at(x, y);
+      const double t = ramp.at(x + 0.5, y + 0.5);
       plane.row(y)[x] = static_cast<float>((1 - t) * gradient.from + t * gradient.to);
     }
-  }
+  });
   return plane;
 }
 
 GrayPlane draw(const TextureBackground& texture, int width, int height, std::uint64_t seed) {
   constexpr int kOctaves = 4;
   GrayPlane plane(width, height);
-  for (int y = 0; y < height; ++y) {
+  for_each_row(height, [&](int y) {
+    std::vector<double> sum(static_cast<std::size_t>(width));
+    double weight = 0;
+    for (int octave = 0; octave < kOctaves; ++octave) {
+      const double share = std::ldexp(1.0, -octave);
+      const double scale = std::max(1.0, texture.scale_px * share);
+      // The octaves are streams of their own, all apart from the noise's stream.
+      add_value_noise(mix_bits(seed) + octave + 1, y + 0.5, scale, share, sum);
+      weight += share;
+    }
     for (int x = 0; x < width; ++x) {
-      double sum = 0;
-      double weight = 0;
-      for (int octave = 0; octave < kOctaves; ++octave) {
-        const double share = std::ldexp(1.0, -octave);
-        const double scale = std::max(1.0, texture.scale_px * share);
-        // The octaves are streams of their own, all apart from the noise's stream.
-        sum += share * value_noise(mix_bits(seed) + octave + 1, x + 0.5, y + 0.5, scale);
-        weight += share;
-      }
-      const double level = texture.gray + texture.amplitude * sum / weight;
+      const double level = texture.gray + texture.amplitude * sum[x] / weight;
       plane.row(y)[x] = static_cast<float>(std::clamp(level, 0.0, 255.0));
     }
-  }
+  });
   return plane;
 }
 
-GrayPlane draw(const ClutterBackground& clutter, int width, int height, std::uint64_t seed) {
-  return draw_clutter(clutter, width, height, seed);
+/// Its shapes cover all of it.
+GrayPlane draw(const ClutterBackground&, int width, int height, std::uint64_t) {
+  return GrayPlane(width, height);
 }
 
 /// Source samples that one destination sample is the mean of, and their weights: a tent as wide as
@@ -112,7 +120,7 @@ GrayPlane draw(const PhotoBackground& photo, int width, int height, std::uint64_
   const auto down =
       resampling_taps(image.height(), height, scale, (image.height() - scale * height) / 2);
   GrayPlane narrow(width, image.height());
-  for (int y = 0; y < image.height(); ++y) {
+  for_each_row(image.height(), [&](int y) {
     const std::uint8_t* source = image.row(y);
     for (int x = 0; x < width; ++x) {
       const Tap& tap = across[static_cast<std::size_t>(x)];
@@ -122,15 +130,15 @@ GrayPlane draw(const PhotoBackground& photo, int width, int height, std::uint64_
       }
       narrow.row(y)[x] = sum;
     }
-  }
+  });
   GrayPlane plane(width, height);
-  for (int y = 0; y < height; ++y) {
+  for_each_row(height, [&](int y) {
     const Tap& tap = down[static_cast<std::size_t>(y)];
     for (std::size_t k = 0; k < tap.weights.size(); ++k) {
       const float* source = narrow.row(tap.first + static_cast<int>(k));
       for (int x = 0; x < width; ++x) plane.row(y)[x] += tap.weights[k] * source[x];
     }
-  }
+  });
   return plane;
 }
 
@@ -144,11 +152,17 @@ Ramp::Ramp(int width, int height, double angle_deg) {
   const double half = (std::abs(dx) * width + std::abs(dy) * height) / 2;
   per_x_ = dx / (2 * half);
   per_y_ = dy / (2 * half);
-  offset_ = 0.5 + (0.5 - width / 2.0) * per_x_ + (0.5 - height / 2.0) * per_y_;
+  offset_ = 0.5 - width / 2.0 * per_x_ - height / 2.0 * per_y_;
 }
 
 GrayPlane draw_background(const Background& background, int width, int height, std::uint64_t seed) {
   return std::visit([&](const auto& kind) { return draw(kind, width, height, seed); }, background);
+}
+
+std::vector<Patch> background_patches(const Background& background, int width, int height,
+                                      std::uint64_t seed) {
+  const auto* clutter = std::get_if<ClutterBackground>(&background);
+  return clutter ? clutter_patches(*clutter, width, height, seed) : std::vector<Patch>{};
 }
 
 }  // namespace tagmint::scene

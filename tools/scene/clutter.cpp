@@ -2,10 +2,8 @@
 
 #include <cmath>
 #include <numbers>
-#include <vector>
 
 #include "scene/counter_random.h"
-#include "scene/fill.h"
 
 namespace tagmint::scene {
 namespace {
@@ -32,21 +30,22 @@ std::vector<Point> random_shape(Point centre, double size_px, RandomStream& rand
 
 }  // namespace
 
-GrayPlane draw_clutter(const ClutterBackground& clutter, int width, int height,
-                       std::uint64_t seed) {
+std::vector<Patch> clutter_patches(const ClutterBackground& clutter, int width, int height,
+                                   std::uint64_t seed) {
   constexpr std::uint64_t kStream = 29;  // apart from those of noise, texture and random scenes
   RandomStream random(mix_bits(seed) + kStream);
-  GrayPlane plane(width, height, static_cast<float>(random.uniform(0, 255)));
-  Painter painter(plane);
+  const double right = width, bottom = height;
+  std::vector<Patch> patches = {
+      {{{0, 0}, {right, 0}, {right, bottom}, {0, bottom}}, random.uniform(0, 255)}};
   for (int i = 0; i < clutter.shapes; ++i) {
     // Sizes spread evenly over their logarithm, from the largest down.
     const double place = (i + 0.5) / clutter.shapes;
     const double size_px = clutter.max_px * std::pow(clutter.min_px / clutter.max_px, place);
-    const Point centre{random.uniform(0, width), random.uniform(0, height)};
-    const std::vector<Point> shape = random_shape(centre, size_px, random);
-    painter.fill(shape, random.uniform(0, 255));
+    const Point centre{random.uniform(0, right), random.uniform(0, bottom)};
+    std::vector<Point> shape = random_shape(centre, size_px, random);
+    patches.push_back({std::move(shape), random.uniform(0, 255)});
   }
-  return plane;
+  return patches;
 }
 
 }  // namespace tagmint::scene

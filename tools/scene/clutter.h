@@ -1,15 +1,16 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
-#include "scene/gray_plane.h"
+#include "scene/fill.h"
 #include "scene/scene.h"
 
 namespace tagmint::scene {
 
-/// Random convex shapes over one another, the large ones below. Sides are exact polygon areas.
+/// Random convex shapes over one another, the large ones below; the first one is the whole picture.
 ///   seed   of the scene
-///   cost   the pixels of each shape's box
-GrayPlane draw_clutter(const ClutterBackground& clutter, int width, int height, std::uint64_t seed);
+std::vector<Patch> clutter_patches(const ClutterBackground& clutter, int width, int height,
+                                   std::uint64_t seed);
 
 }  // namespace tagmint::scene

@@ -7,12 +7,13 @@ namespace tagmint::scene {
 
 using detect::Point;
 
-Coverage::Coverage(int width, int height)
-    : width_(width),
-      height_(height),
-      pitch_(static_cast<std::size_t>(width) + 2),
-      differences_(pitch_ * static_cast<std::size_t>(height)),
-      box_{width, height, 0, 0} {}
+void Coverage::reset(int width, int height) {
+  width_ = width;
+  height_ = height;
+  pitch_ = static_cast<std::size_t>(width) + 2;
+  differences_.assign(pitch_ * static_cast<std::size_t>(height), 0.0);
+  total_area_ = 0;
+}
 
 void Coverage::add(std::span<const Point> polygon) {
   if (polygon.size() < 3) return;
@@ -25,19 +26,6 @@ void Coverage::add(std::span<const Point> polygon) {
     add_edge(a, b);
   }
   total_area_ += twice_area / 2;
-  grow_box(polygon);
-}
-
-void Coverage::grow_box(std::span<const Point> polygon) {
-  const auto pixel = [](double v, int limit) {
-    return static_cast<int>(std::clamp(v, 0.0, static_cast<double>(limit)));
-  };
-  for (const Point p : polygon) {
-    box_.x0 = std::min(box_.x0, pixel(std::floor(p.x), width_));
-    box_.y0 = std::min(box_.y0, pixel(std::floor(p.y), height_));
-    box_.x1 = std::max(box_.x1, pixel(std::ceil(p.x), width_));
-    box_.y1 = std::max(box_.y1, pixel(std::ceil(p.y), height_));
-  }
 }
 
 void Coverage::add_edge(Point a, Point b) {
@@ -95,22 +83,18 @@ void Coverage::add_in_row(double* differences, double xa, double xb, double heig
   }
 }
 
-void Coverage::read_row(int y, std::span<double> row) const {
-  const double* differences = differences_.data() + static_cast<std::size_t>(y) * pitch_;
-  double covered = 0;
-  for (int x = box_.x0; x < box_.x1; ++x) {
-    covered += differences[x];
-    row[static_cast<std::size_t>(x - box_.x0)] = std::clamp(covered, 0.0, 1.0);
+PixelBox box_of(std::span<const Point> points, int width, int height) {
+  PixelBox box{width, height, 0, 0};
+  const auto pixel = [](double v, int limit) {
+    return static_cast<int>(std::clamp(v, 0.0, static_cast<double>(limit)));
+  };
+  for (const Point p : points) {
+    box.x0 = std::min(box.x0, pixel(std::floor(p.x), width));
+    box.y0 = std::min(box.y0, pixel(std::floor(p.y), height));
+    box.x1 = std::max(box.x1, pixel(std::ceil(p.x), width));
+    box.y1 = std::max(box.y1, pixel(std::ceil(p.y), height));
   }
-}
-
-void Coverage::clear() {
-  for (int y = box_.y0; y < box_.y1; ++y) {
-    double* differences = differences_.data() + static_cast<std::size_t>(y) * pitch_;
-    std::fill(differences + box_.x0, differences + std::min<std::size_t>(box_.x1 + 2, pitch_), 0.0);
-  }
-  total_area_ = 0;
-  box_ = {width_, height_, 0, 0};
+  return box;
 }
 
 }  // namespace tagmint::scene

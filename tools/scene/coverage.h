@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -14,7 +16,12 @@ struct PixelBox {
   int x1 = 0;
   int y1 = 0;
   bool empty() const { return x0 >= x1 || y0 >= y1; }
+  int width() const { return x1 - x0; }
+  int height() const { return y1 - y0; }
 };
+
+/// The pixels of a width x height image that `points` and what lies between them touch.
+PixelBox box_of(std::span<const detect::Point> points, int width, int height);
 
 /// How much of each pixel polygons cover, exactly (to rounding of double).
 ///
@@ -24,7 +31,9 @@ struct PixelBox {
 class Coverage {
  public:
   /// An image without polygons; sides > 0.
-  Coverage(int width, int height);
+  Coverage(int width, int height) { reset(width, height); }
+  /// The same again, in the memory that is there.
+  void reset(int width, int height);
 
   /// Adds the area inside `polygon` (px, any place, closed from the last point to the first),
   /// positive when its corners run clockwise as seen (y down). Parts outside the image are cut off.
@@ -33,24 +42,30 @@ class Coverage {
 
   /// Signed area of all polygons added, the parts outside the image included, px^2.
   double total_area() const { return total_area_; }
-  /// The pixels that may be covered: everything outside is 0.
-  PixelBox box() const { return box_; }
-  /// Coverage of the pixels box().x0 .. box().x1 of one row; `row` holds that many.
-  void read_row(int y, std::span<double> row) const;
-  /// Takes all polygons out again. Cost: box().
-  void clear();
+  /// Tells the coverage of the pixels of one row, from the left one by one.
+  class Row {
+   public:
+    explicit Row(const double* differences) : differences_(differences) {}
+    double next() {
+      covered_ += *differences_++;
+      return std::clamp(covered_, 0.0, 1.0);
+    }
+
+   private:
+    const double* differences_;
+    double covered_ = 0;
+  };
+  Row row(int y) const { return Row(differences_.data() + static_cast<std::size_t>(y) * pitch_); }
 
  private:
   void add_edge(detect::Point a, detect::Point b);
   void add_in_row(double* differences, double xa, double xb, double height);
-  void grow_box(std::span<const detect::Point> polygon);
 
-  int width_;
-  int height_;
-  std::size_t pitch_;                // doubles a row: width and two more for what lies to the right
+  int width_ = 0;
+  int height_ = 0;
+  std::size_t pitch_ = 0;            // doubles a row: width and two more for what lies to the right
   std::vector<double> differences_;  // row-major, height_ * pitch_
   double total_area_ = 0;
-  PixelBox box_;
 };
 
 }  // namespace tagmint::scene

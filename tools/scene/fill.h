@@ -5,22 +5,23 @@
 
 #include "scene/coverage.h"
 #include "scene/gray_plane.h"
+#include "scene/window.h"
 
 namespace tagmint::scene {
 
-/// Paints polygons of one gray level over a picture, each pixel by the share of it that they cover.
-class Painter {
- public:
-  explicit Painter(GrayPlane& plane) : plane_(plane), coverage_(plane.width, plane.height) {}
-
-  /// Corners clockwise as seen (y down), px; what lies outside the picture is cut off.
-  ///   cost   the pixels of the polygon's box
-  void fill(std::span<const detect::Point> polygon, double gray);
-
- private:
-  GrayPlane& plane_;
-  Coverage coverage_;
-  std::vector<double> row_;
+/// An area of one gray level.
+struct Patch {
+  std::vector<detect::Point> polygon;  ///< px, corners clockwise as seen (y down)
+  double gray = 0;
 };
+
+/// What a polygon (px, clockwise as seen) covers of a window: `coverage` becomes that of the
+/// samples in the box returned, which may be empty.
+PixelBox cover(std::span<const detect::Point> polygon, const Window& window, Coverage& coverage);
+
+/// Paints patches over the window's samples in their order, each sample by the share of it that the
+/// patch covers; what lies outside is cut off.
+///   cost   the samples of the patches' boxes
+void paint(std::span<const Patch> patches, const Window& window, GrayPlane& plane);
 
 }  // namespace tagmint::scene

@@ -5,8 +5,7 @@
 #include <vector>
 
 #include "scene/background.h"
-#include "scene/coverage.h"
-#include "scene/rows.h"
+#include "scene/fill.h"
 
 namespace tagmint::scene {
 namespace {
@@ -26,61 +25,62 @@ std::vector<Point> clockwise(std::vector<Point> polygon) {
 
 }  // namespace
 
-void apply_shading(const Shading& shading, GrayPlane& plane) {
+void apply_shading(const Shading& shading, const Window& window, GrayPlane& plane) {
   if (shading.strength == 0) return;
-  const Ramp ramp(plane.width, plane.height, shading.angle_deg);
-  for_each_row(plane.height, [&](int y) {
+  const Ramp ramp(window.width, window.height, shading.angle_deg);
+  for (int y = 0; y < plane.height; ++y) {
     float* row = plane.row(y);
-    for (int x = 0; x < plane.width; ++x) {
-      row[x] *= static_cast<float>(1 - shading.strength * ramp.at(x, y));
-    }
-  });
-}
-
-void apply_shadows(std::span<const Shadow> shadows, GrayPlane& plane) {
-  if (shadows.empty()) return;
-  Coverage coverage(plane.width, plane.height);
-  std::vector<double> covered;
-  for (const Shadow& shadow : shadows) {
-    coverage.add(clockwise(shadow.polygon));
-    const PixelBox box = coverage.box();
-    covered.resize(box.empty() ? 0 : static_cast<std::size_t>(box.x1 - box.x0));
-    for (int y = box.y0; y < box.y1 && !box.empty(); ++y) {
-      coverage.read_row(y, covered);
-      float* level = plane.row(y) + box.x0;
-      for (std::size_t i = 0; i < covered.size(); ++i) {
-        level[i] *= static_cast<float>(1 - (1 - shadow.light) * covered[i]);
-      }
-    }
-    coverage.clear();
+    const double first = ramp.at(window.x_px(0), window.y_px(y));
+    const double step = ramp.at(window.x_px(1), window.y_px(y)) - first;
+    const auto light = static_cast<float>(1 - shading.strength * first);
+    const auto loss = static_cast<float>(shading.strength * step);
+    for (int x = 0; x < plane.width; ++x) row[x] *= light - loss * static_cast<float>(x);
   }
 }
 
-void apply_glare(std::span<const Glare> glare, GrayPlane& plane) {
-  if (glare.empty()) return;
-  for_each_row(plane.height, [&](int y) {
-    float* row = plane.row(y);
-    for (const Glare& spot : glare) {
-      for (int x = 0; x < plane.width; ++x) {
-        const double dx = (x + 0.5 - spot.centre.x) / spot.radius_px;
-        const double dy = (y + 0.5 - spot.centre.y) / spot.radius_px;
-        row[x] += static_cast<float>(spot.strength * std::exp(-(dx * dx + dy * dy) / 2));
+void apply_shadows(std::span<const Shadow> shadows, const Window& window, GrayPlane& plane) {
+  Coverage coverage(1, 1);
+  for (const Shadow& shadow : shadows) {
+    const PixelBox box = cover(clockwise(shadow.polygon), window, coverage);
+    for (int y = box.y0; y < box.y1; ++y) {
+      Coverage::Row row = coverage.row(y - box.y0);
+      float* level = plane.row(y);
+      for (int x = box.x0; x < box.x1; ++x) {
+        level[x] *= static_cast<float>(1 - (1 - shadow.light) * row.next());
       }
     }
-  });
+  }
 }
 
-void apply_vignetting(double vignetting, GrayPlane& plane) {
+void apply_glare(std::span<const Glare> glare, const Window& window, GrayPlane& plane) {
+  const auto falling = [](double distance_px, double radius_px) {
+    return std::exp(-distance_px * distance_px / (2 * radius_px * radius_px));
+  };
+  std::vector<float> across(static_cast<std::size_t>(plane.width));
+  for (const Glare& spot : glare) {
+    for (int x = 0; x < plane.width; ++x) {
+      across[x] = static_cast<float>(falling(window.x_px(x) - spot.centre.x, spot.radius_px));
+    }
+    for (int y = 0; y < plane.height; ++y) {
+      const double down = falling(window.y_px(y) - spot.centre.y, spot.radius_px);
+      const auto strength = static_cast<float>(spot.strength * down);
+      float* row = plane.row(y);
+      for (int x = 0; x < plane.width; ++x) row[x] += strength * across[x];
+    }
+  }
+}
+
+void apply_vignetting(double vignetting, const Window& window, GrayPlane& plane) {
   if (vignetting == 0) return;
-  const Point middle{plane.width / 2.0, plane.height / 2.0};
+  const Point middle{window.width / 2.0, window.height / 2.0};
   const double corner = dot(middle, middle);
-  for_each_row(plane.height, [&](int y) {
+  for (int y = 0; y < plane.height; ++y) {
     float* row = plane.row(y);
     for (int x = 0; x < plane.width; ++x) {
-      const Point from_middle = Point{x + 0.5, y + 0.5} - middle;
+      const Point from_middle = Point{window.x_px(x), window.y_px(y)} - middle;
       row[x] *= static_cast<float>(1 - vignetting * dot(from_middle, from_middle) / corner);
     }
-  });
+  }
 }
 
 }  // namespace tagmint::scene

@@ -2,9 +2,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <vector>
-
-#include "scene/fill.h"
 
 namespace tagmint::scene {
 namespace {
@@ -31,17 +28,17 @@ std::vector<Point> strip(Point a, Point b, double radius_px) {
 
 }  // namespace
 
-void draw_marks(std::span<const Mark> marks, GrayPlane& plane) {
-  if (marks.empty()) return;
-  Painter painter(plane);
+std::vector<Patch> mark_patches(std::span<const Mark> marks) {
+  std::vector<Patch> patches;
   for (const Mark& mark : marks) {
     const std::size_t strips = mark.path.size() > 1 ? mark.path.size() - 1 : 1;
     for (std::size_t i = 0; i < strips; ++i) {
       const Point from = mark.path[i];
       const Point to = mark.path.size() > 1 ? mark.path[i + 1] : from;
-      painter.fill(strip(from, to, mark.width_px / 2), mark.gray);
+      patches.push_back({strip(from, to, mark.width_px / 2), mark.gray});
     }
   }
+  return patches;
 }
 
 }  // namespace tagmint::scene

@@ -71,7 +71,14 @@ Effects read_effects(const JsonValue& root) {
   Effects effects;
   if (root.has("black")) effects.black = root.at("black").number(0, 255);
   if (root.has("white")) effects.white = root.at("white").number(0, 255);
+  if (root.has("defocus_px")) effects.defocus_px = root.at("defocus_px").number(0, 100);
   if (root.has("blur_px")) effects.blur_sigma_px = root.at("blur_px").number(0, 1000);
+  if (root.has("electrons_per_level")) {
+    effects.electrons_per_level = root.at("electrons_per_level").number(0.001, 1e6);
+  }
+  if (root.has("jpeg_quality")) {
+    effects.jpeg_quality = static_cast<int>(root.at("jpeg_quality").whole(1, 100));
+  }
   if (root.has("noise")) effects.noise_sigma = root.at("noise").number(0, 255);
   if (root.has("shading")) {
     const JsonValue shading = root.at("shading");

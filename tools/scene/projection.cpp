@@ -43,8 +43,8 @@ double distance_from_chord(Point p, Point a, Point b) {
 
 }  // namespace
 
-TagProjection::TagProjection(const SceneTag& tag, const detect::Camera& camera) {
-  if (const auto* posed = std::get_if<PosedTag>(&tag.place)) {
+TagProjection::TagProjection(const TagPlace& place, const detect::Camera& camera) {
+  if (const auto* posed = std::get_if<PosedTag>(&place)) {
     plane_ = plane_in_camera(*posed);
     if (camera.distorts()) {
       camera_ = camera;
@@ -52,11 +52,11 @@ TagProjection::TagProjection(const SceneTag& tag, const detect::Camera& camera) 
       plane_ = to_pixels(plane_, camera);
     }
   } else {
-    const auto homography = Homography::from_corners(std::get<Corners>(tag.place));
+    const auto homography = Homography::from_corners(std::get<Corners>(place));
     plane_ = homography ? homography->row_major() : std::array<double, 9>{};
   }
   // The middle gets depth 1; the sign of a pose's depth is kept, as it tells front from behind.
-  const bool posed = std::holds_alternative<PosedTag>(tag.place);
+  const bool posed = std::holds_alternative<PosedTag>(place);
   const double scale = posed ? std::abs(plane_[8]) : plane_[8];
   if (scale != 0) {
     for (double& h : plane_) h /= scale;

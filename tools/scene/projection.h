@@ -14,8 +14,10 @@ namespace tagmint::scene {
 /// The map from one tag's plane, border square = [-1,1]^2 with y down, to the pixels of a scene.
 class TagProjection {
  public:
-  /// The tag must have passed check_scene(), or at least have finite numbers.
-  TagProjection(const SceneTag& tag, const detect::Camera& camera);
+  /// The place must have passed check_scene(), or at least have finite numbers.
+  TagProjection(const TagPlace& place, const detect::Camera& camera);
+  TagProjection(const SceneTag& tag, const detect::Camera& camera)
+      : TagProjection(tag.place, camera) {}
 
   /// Homogeneous third coordinate of p: positive in front of the camera (scaled so that the middle
   /// of the tag has 1, or -1 behind the camera).

@@ -102,7 +102,7 @@ detect::Pose random_pose(Point pixel, double side_px, const RandomSceneOptions& 
 /// The corners of the tag's paper, quiet zone included, px; nothing when it comes too near.
 std::optional<Corners> paper_corners(const SceneTag& tag, const RandomSceneOptions& options,
                                      const detect::Camera& camera) {
-  const TagProjection projection(tag, camera);
+  const TagProjection projection(tag.place, camera);
   const codec::Layout& layout = tag.family->layout();
   const double half = (layout.width() + 2.0 * options.quiet_zone_cells) / layout.width_at_border();
   Corners corners;

@@ -1,146 +1,182 @@
 #include "scene/render.h"
 
-#include <tbb/info.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <span>
+#include <utility>
 
+#include "io/images.h"
 #include "scene/background.h"
-#include "scene/coverage.h"
 #include "scene/effects.h"
+#include "scene/gaussian.h"
+#include "scene/layers.h"
 #include "scene/light.h"
 #include "scene/marks.h"
+#include "scene/optics.h"
 #include "scene/projection.h"
-#include "scene/tag_shape.h"
 
 namespace tagmint::scene {
 namespace {
 
-using detect::Point;
+/// All that a scene shows, as outlines in px: what does not depend on the grid it is drawn on.
+struct Parts {
+  GrayPlane background;
+  std::vector<Patch> shapes;  ///< over the background
+  struct Item {
+    Layer layer;
+    std::size_t tag = 0;  ///< its index in the scene; the sheets' are beyond
+  };
+  std::vector<Item> items;  ///< from the topmost down
+  std::vector<Patch> marks;
+};
 
-/// Adds rectangles of the tag plane, as the image shows them.
-void add_projected(const std::vector<Rectangle>& rectangles, const TagProjection& projection,
-                   Coverage& coverage) {
-  std::vector<Point> outline;
-  for (const Rectangle& rectangle : rectangles) {
-    const std::vector<Point> front = clip_to_front(projection, rectangle);
-    outline.clear();
-    for (std::size_t i = 0; i < front.size(); ++i) {
-      projection.trace(front[i], front[(i + 1) % front.size()], outline);
+Parts parts_of(const Scene& scene) {
+  Parts parts;
+  parts.background = draw_background(scene.background, scene.width, scene.height, scene.seed);
+  parts.shapes = background_patches(scene.background, scene.width, scene.height, scene.seed);
+  std::size_t sheet = scene.sheets.size();
+  const auto add_sheets = [&](std::size_t first_tag) {
+    for (; sheet > 0 && scene.sheets[sheet - 1].first_tag >= first_tag; --sheet) {
+      parts.items.push_back(
+          {sheet_layer(scene.sheets[sheet - 1], scene.camera), scene.tags.size()});
     }
-    coverage.add(outline);
+  };
+  for (std::size_t i = scene.tags.size(); i-- > 0;) {
+    add_sheets(i + 1);
+    parts.items.push_back({tag_layer(scene.tags[i], scene.camera, scene.quiet_zone_cells), i});
   }
+  add_sheets(0);
+  parts.marks = mark_patches(scene.marks);
+  return parts;
 }
 
-/// Lays tags from the topmost down under what is already there, and counts what stays visible.
-class Layers {
- public:
-  Layers(int width, int height)
-      : plane_(width, height),
-        open_(width, height, 1.0F),
-        paper_(width, height),
-        tag_(width, height),
-        white_(width, height) {}
-
-  /// Adds a tag below all earlier ones; returns the visible share of its cells.
-  double add(const TagShape& shape, const TagProjection& projection, const Effects& levels) {
-    add_projected(shape.paper, projection, paper_);
-    add_projected(shape.tag, projection, tag_);
-    add_projected(shape.white, projection, white_);
-    const double whole = tag_.total_area();
-    const double seen = composite(levels);
-    paper_.clear();
-    tag_.clear();
-    white_.clear();
-    return whole > 0 ? std::clamp(seen / whole, 0.0, 1.0) : 0;
-  }
-
-  /// The background shows where nothing lies.
-  GrayPlane finish(const GrayPlane& background) && {
-    for (std::size_t i = 0; i < plane_.levels.size(); ++i) {
-      plane_.levels[i] += open_.levels[i] * background.levels[i];
-    }
-    return std::move(plane_);
-  }
-
- private:
-  /// Mixes the three coverages into the picture; returns the tag's area that is seen, px^2.
-  double composite(const Effects& levels) {
-    double seen = 0;
-    for (int y = paper_.box().y0; y < paper_.box().y1; ++y) {
-      read(paper_, y, paper_row_);
-      read(tag_, y, tag_row_);
-      read(white_, y, white_row_);
-      float* level = plane_.row(y);
-      float* open = open_.row(y);
-      for (int x = paper_.box().x0; x < paper_.box().x1; ++x) {
-        const double paper = at(paper_row_, paper_, x);
-        const double white = std::min(paper, at(white_row_, white_, x));
-        seen += open[x] * at(tag_row_, tag_, x);
-        level[x] +=
-            static_cast<float>(open[x] * (white * levels.white + (paper - white) * levels.black));
-        open[x] *= static_cast<float>(1 - paper);
-      }
-    }
-    return seen;
-  }
-
-  static void read(const Coverage& coverage, int y, std::vector<double>& row) {
-    const PixelBox box = coverage.box();
-    row.clear();
-    if (box.empty() || y < box.y0 || y >= box.y1) return;
-    row.resize(static_cast<std::size_t>(box.x1 - box.x0));
-    coverage.read_row(y, row);
-  }
-  static double at(const std::vector<double>& row, const Coverage& coverage, int x) {
-    const int i = x - coverage.box().x0;
-    return i >= 0 && i < static_cast<int>(row.size()) ? row[static_cast<std::size_t>(i)] : 0;
-  }
-
-  GrayPlane plane_;
-  GrayPlane open_;  // share of each pixel that no tag covers yet
-  Coverage paper_, tag_, white_;
-  std::vector<double> paper_row_, tag_row_, white_row_;
+/// Memory for one band after another.
+struct BandScratch {
+  LayerStack stack;
+  GrayPlane background;
+  PointSpread::Scratch lanes;
 };
+
+/// The background on the grid of a window: even within a pixel, with the exact shapes over it.
+void draw_background(const Parts& parts, const Window& window, GrayPlane& plane) {
+  plane.resize(window.columns(), window.rows);
+  for (int row = 0; row < window.rows; ++row) {
+    const float* source = parts.background.row((window.first_row + row) / window.scale);
+    float* out = plane.row(row);
+    for (int x = 0; x < window.width; ++x) {
+      out = std::fill_n(out, window.scale, source[x]);
+    }
+  }
+  paint(parts.shapes, window, plane);
+}
+
+/// The light that falls on a window. Adds to `seen_px2`, one entry a tag, what the grid rows
+/// first .. last - 1 show of it.
+const GrayPlane& draw_light(const Scene& scene, const Parts& parts, const Window& window, int first,
+                            int last, std::span<double> seen_px2, BandScratch& scratch) {
+  scratch.stack.begin(window, scene.effects);
+  for (const Parts::Item& item : parts.items) {
+    const double seen = scratch.stack.add(item.layer, first, last);
+    if (item.tag < seen_px2.size()) seen_px2[item.tag] += seen;
+  }
+  draw_background(parts, window, scratch.background);
+  GrayPlane& plane = scratch.stack.finish(scratch.background);
+  paint(parts.marks, window, plane);
+  apply_shading(scene.effects.shading, window, plane);
+  apply_shadows(scene.effects.shadows, window, plane);
+  apply_glare(scene.effects.glare, window, plane);
+  apply_vignetting(scene.effects.vignetting, window, plane);
+  return plane;
+}
+
+std::vector<TagTruth> truth_of(const Scene& scene, const Parts& parts,
+                               std::span<const double> seen_px2) {
+  std::vector<TagTruth> truth(scene.tags.size());
+  for (const Parts::Item& item : parts.items) {
+    if (item.tag >= truth.size()) continue;
+    const TagProjection projection(scene.tags[item.tag].place, scene.camera);
+    TagTruth& tag = truth[item.tag];
+    tag.corners = projection.corners();
+    tag.homography = projection.homography();
+    tag.visible_px = seen_px2[item.tag];
+    const double whole = item.layer.tag_area_px2;
+    tag.visible = whole > 0 ? std::clamp(tag.visible_px / whole, 0.0, 1.0) : 0;
+  }
+  return truth;
+}
+
+/// What the sensor gets, before its noise.
+struct Exposure {
+  GrayPlane picture;
+  std::vector<TagTruth> truth;
+};
+
+/// Draws bands of rows, each for itself: on a grid finer than the pixels a whole picture would not
+/// stay in a cache, and would take `scale` squared times its memory.
+Exposure expose(const Scene& scene) {
+  const Parts parts = parts_of(scene);
+  const PointSpread point_spread(scene.effects);
+  const int scale = point_spread.scale();
+  const int reach = point_spread.reach_rows();
+  // Rows about a band are drawn for their blur alone; they are to be the smaller part.
+  constexpr int kLeastRows = 16;
+  const int band_rows = std::max(kLeastRows, 4 * reach / scale);
+  const int bands = (scene.height + band_rows - 1) / band_rows;
+  const std::size_t tags = scene.tags.size();
+  Exposure exposure{GrayPlane(scene.width, scene.height), {}};
+  std::vector<double> seen_px2(static_cast<std::size_t>(bands) * tags);
+  tbb::enumerable_thread_specific<BandScratch> scratch;
+  tbb::parallel_for(0, bands, [&](int band) {
+    const int begin = band * band_rows;
+    const int end = std::min(scene.height, begin + band_rows);
+    Window window{.width = scene.width, .height = scene.height, .scale = scale};
+    window.first_row = std::max(0, begin * scale - reach);
+    window.rows = std::min(scene.height * scale, end * scale + reach) - window.first_row;
+    const std::span<double> seen = std::span(seen_px2).subspan(band * tags, tags);
+    BandScratch& own = scratch.local();
+    const GrayPlane& light =
+        draw_light(scene, parts, window, begin * scale, end * scale, seen, own);
+    point_spread.expose(light, window, begin, end, exposure.picture, own.lanes);
+  });
+  for (int band = 1; band < bands; ++band) {
+    for (std::size_t i = 0; i < tags; ++i) seen_px2[i] += seen_px2[band * tags + i];
+  }
+  exposure.truth = truth_of(scene, parts, std::span(seen_px2).first(tags));
+  if (scene.effects.blur_sigma_px >= PointSpread::kWide_px) {
+    apply_blur(scene.effects.blur_sigma_px, exposure.picture);
+  }
+  return exposure;
+}
+
+/// The cores, or what a tbb::global_control says.
+int allowed_threads() {
+  using tbb::global_control;
+  return static_cast<int>(global_control::active_value(global_control::max_allowed_parallelism));
+}
 
 }  // namespace
 
-Drawing draw_tags(const Scene& scene) {
-  Drawing drawing;
-  drawing.truth.resize(scene.tags.size());
-  Layers layers(scene.width, scene.height);
-  for (std::size_t i = scene.tags.size(); i-- > 0;) {
-    const SceneTag& tag = scene.tags[i];
-    const TagProjection projection(tag, scene.camera);
-    const TagShape shape = tag_shape(*tag.family, tag.id, scene.quiet_zone_cells);
-    TagTruth& truth = drawing.truth[i];
-    truth.corners = projection.corners();
-    truth.homography = projection.homography();
-    truth.visible = layers.add(shape, projection, scene.effects);
-  }
-  drawing.plane = std::move(layers).finish(
-      draw_background(scene.background, scene.width, scene.height, scene.seed));
-  draw_marks(scene.marks, drawing.plane);
-  return drawing;
-}
-
 Rendering render(const Scene& scene, int threads) {
   check_scene(scene);
-  Drawing drawing = draw_tags(scene);
-  Rendering rendering{.image = {}, .truth = std::move(drawing.truth)};
-  const int cores = tbb::info::default_concurrency();
-  tbb::task_arena arena(threads > 0 ? std::min(threads, cores) : cores);
+  Rendering rendering;
+  tbb::task_arena arena(threads > 0 ? std::min(threads, allowed_threads()) : allowed_threads());
   arena.execute([&] {
+    Exposure exposure = expose(scene);
     const Effects& effects = scene.effects;
-    apply_shading(effects.shading, drawing.plane);
-    apply_shadows(effects.shadows, drawing.plane);
-    apply_glare(effects.glare, drawing.plane);
-    apply_vignetting(effects.vignetting, drawing.plane);
-    apply_motion_blur(effects.motion_blur, drawing.plane);
-    apply_blur(effects.blur_sigma_px, drawing.plane);
-    apply_gamma(effects.gamma, drawing.plane);
-    rendering.image = add_noise_and_round(drawing.plane, effects.noise_sigma, scene.seed);
+    apply_shot_noise(effects.electrons_per_level, scene.seed, exposure.picture);
+    apply_gamma(effects.gamma, exposure.picture);
+    rendering.image = add_noise_and_round(exposure.picture, effects.noise_sigma, scene.seed);
+    rendering.truth = std::move(exposure.truth);
   });
+  if (scene.effects.jpeg_quality > 0) {
+    rendering.jpeg = io::encode_jpeg(rendering.image, scene.effects.jpeg_quality);
+    rendering.image = io::decode_gray_image(rendering.jpeg, "the scene's JPEG");
+  }
   return rendering;
 }
 

@@ -97,9 +97,14 @@ void check_effects(const Effects& effects) {
   require_range("vignetting", effects.vignetting, 0, 0.99);
   require_range("motion_blur.length_px", effects.motion_blur.length_px, 0, 1000);
   require(std::isfinite(effects.motion_blur.angle_deg), "motion_blur.angle_deg must be finite");
-  require_range("gamma", effects.gamma, 0.1, 10);
+  require_range("defocus_px", effects.defocus_px, 0, 100);
   require_range("blur_px", effects.blur_sigma_px, 0, 1000);
+  if (effects.electrons_per_level != 0) {
+    require_range("electrons_per_level", effects.electrons_per_level, 0.001, 1e6);
+  }
+  require_range("gamma", effects.gamma, 0.1, 10);
   require_range("noise", effects.noise_sigma, 0, 255);
+  if (effects.jpeg_quality != 0) require_range("jpeg_quality", effects.jpeg_quality, 1, 100);
 }
 
 void check_rotation(const std::array<double, 9>& R, const std::string& name) {
@@ -148,12 +153,13 @@ void check_corners(const Corners& corners, const std::string& name) {
 }
 
 /// The distortion model turns back beyond its fold: paper there would be drawn a second time.
-void check_fold(const SceneTag& tag, const Scene& scene, double fold, const std::string& name) {
-  if (!std::holds_alternative<PosedTag>(tag.place) || !std::isfinite(fold)) return;
+void check_fold(const TagPlace& place, std::span<const Rectangle> paper, double fold,
+                const std::string& name) {
+  if (!std::holds_alternative<PosedTag>(place) || !std::isfinite(fold)) return;
   detect::Camera straight;
   straight.fx = straight.fy = 1;
-  const TagProjection normalised(tag, straight);
-  for (const Rectangle& run : tag_shape(*tag.family, tag.id, scene.quiet_zone_cells).paper) {
+  const TagProjection normalised(place, straight);
+  for (const Rectangle& run : paper) {
     for (const Point p : run) {
       require(normalised.depth(p) > kNearest && length(normalised.project(p)) < fold,
               fmt::format("{}: it reaches beyond {:.3f} focal lengths from the middle, where the "
@@ -161,6 +167,39 @@ void check_fold(const SceneTag& tag, const Scene& scene, double fold, const std:
                           name, fold));
     }
   }
+}
+
+void check_tag(const SceneTag& tag, const Scene& scene, double fold, const std::string& name) {
+  require(tag.family != nullptr, name + " has no family");
+  require(tag.id < tag.family->size(),
+          fmt::format("{}: id {} is not in {}, which has ids 0 to {}", name, tag.id,
+                      tag.family->name(), tag.family->size() - 1));
+  if (const auto* posed = std::get_if<PosedTag>(&tag.place)) {
+    check_posed(*posed, name);
+  } else {
+    check_corners(std::get<Corners>(tag.place), name);
+  }
+  if (tag.on_sheet) {
+    require(tag.on_sheet->sheet < scene.sheets.size(), name + " is on a sheet that is not there");
+  } else {
+    const codec::Codeword codeword = tag.family->codeword(tag.id);
+    check_fold(tag.place, tag_shape(tag.layout(), codeword, scene.quiet_zone_cells).paper, fold,
+               name);
+  }
+}
+
+void check_sheet(const Sheet& sheet, const Scene& scene, double fold, const std::string& name) {
+  // Sheets are placed as a tag whose edge is two metres: half an edge is its unit.
+  const PosedTag posed{.pose = sheet.pose, .edge_m = 2};
+  check_posed(posed, name);
+  require(sheet.first_tag <= scene.tags.size(), name + " begins with a tag that is not there");
+  const SheetBox& paper = sheet.paper;
+  require(paper.width > 0 && paper.height > 0,
+          name + ": its paper must be wider and higher than 0");
+  const double right = paper.left + paper.width, bottom = paper.top + paper.height;
+  const Rectangle corners = {
+      {paper.left, paper.top}, {right, paper.top}, {right, bottom}, {paper.left, bottom}};
+  check_fold(posed, {&corners, 1}, fold, name);
 }
 
 }  // namespace
@@ -182,19 +221,13 @@ void check_scene(const Scene& scene) {
   check_effects(scene.effects);
   check_marks(scene.marks);
   const double fold = fold_radius(scene.camera);
+  for (std::size_t i = 0; i < scene.sheets.size(); ++i) {
+    check_sheet(scene.sheets[i], scene, fold, fmt::format("boards[{}]", i));
+    require(i == 0 || scene.sheets[i - 1].first_tag <= scene.sheets[i].first_tag,
+            "boards are not in the order of their first tags");
+  }
   for (std::size_t i = 0; i < scene.tags.size(); ++i) {
-    const SceneTag& tag = scene.tags[i];
-    const std::string name = fmt::format("tags[{}]", i);
-    require(tag.family != nullptr, name + " has no family");
-    require(tag.id < tag.family->size(),
-            fmt::format("{}: id {} is not in {}, which has ids 0 to {}", name, tag.id,
-                        tag.family->name(), tag.family->size() - 1));
-    if (const auto* posed = std::get_if<PosedTag>(&tag.place)) {
-      check_posed(*posed, name);
-    } else {
-      check_corners(std::get<Corners>(tag.place), name);
-    }
-    check_fold(tag, scene, fold, name);
+    check_tag(scene.tags[i], scene, fold, fmt::format("tags[{}]", i));
   }
 }
 

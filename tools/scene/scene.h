@@ -1,12 +1,14 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <optional>
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "tagmint/codec/family.h"
+#include "tagmint/codec/layout.h"
 #include "tagmint/detect/camera.h"
 #include "tagmint/detect/geometry.h"
 #include "tagmint/detect/image.h"
@@ -20,12 +22,40 @@ struct PosedTag {
   double edge_m = 0;  ///< side of the border square, > 0
 };
 
-/// One tag of a scene: what it is, and where, either in space or as the four corners of its border
-/// square in pixels (order of detect::Corners; sides are straight then, whatever the camera).
+/// In space, or by the corners of the border square in pixels (order of detect::Corners; sides are
+/// straight then, whatever the camera).
+using TagPlace = std::variant<PosedTag, detect::Corners>;
+
+/// How a tag of a board is printed.
+struct OnSheet {
+  std::size_t sheet = 0;  ///< index of Scene::sheets; its white is the tag's
+  codec::Layout layout;   ///< the family's, or that with a wider black border
+};
+
+/// One tag of a scene: what it is, and where.
 struct SceneTag {
   codec::SharedFamily family;
   codec::TagId id = 0;
-  std::variant<PosedTag, detect::Corners> place;
+  TagPlace place;
+  std::shared_ptr<const OnSheet> on_sheet{};  ///< of a tag that is no paper of its own
+
+  const codec::Layout& layout() const { return on_sheet ? on_sheet->layout : family->layout(); }
+};
+
+/// A rectangle on a sheet, metres; x right, y down.
+struct SheetBox {
+  double left = 0;
+  double top = 0;
+  double width = 0;
+  double height = 0;
+};
+
+/// White paper with tags on it and black boxes beside them: a board.
+struct Sheet {
+  detect::Pose pose;              ///< sheet frame (as a tag's) to camera frame, metres
+  SheetBox paper;                 ///< about any place
+  std::vector<SheetBox> black{};  ///< inside the paper, apart from each other
+  std::size_t first_tag = 0;      ///< lies on tags before this one and below those from it on
 };
 
 /// One gray level everywhere.
@@ -92,18 +122,21 @@ struct MotionBlur {
 };
 
 /// What the light and the camera do to the picture, in this order: shading, shadows, glare,
-/// vignetting, motion blur, blur, gamma, noise, rounding.
+/// vignetting, motion blur, defocus, blur, shot noise, gamma, noise, rounding, JPEG.
 struct Effects {
   double black = 30;   ///< gray level of black cells in full light, 0..255
   double white = 220;  ///< of white cells, above `black`
-  Shading shading;
+  Shading shading{};
   std::vector<Shadow> shadows{};
   std::vector<Glare> glare{};
   double vignetting = 0;  ///< share of the light that is lost in the corners, below 1
   MotionBlur motion_blur{};
-  double blur_sigma_px = 0;  ///< Gaussian blur, >= 0
+  double defocus_px = 0;           ///< radius of the disc that a point becomes, 0 .. 100
+  double blur_sigma_px = 0;        ///< Gaussian blur, >= 0
+  double electrons_per_level = 0;  ///< of the shot noise, 0 = none, else 0.001 .. 1e6
   double gamma = 1;  ///< of the camera, 0.1 .. 10; levels up to here are in light, 1 = the same
   double noise_sigma = 0;  ///< Gaussian noise, gray levels, >= 0
+  int jpeg_quality = 0;    ///< the picture is what a JPEG of that quality keeps, 1 .. 100; 0 = all
 };
 
 /// A pen's stroke along a path, or a speck of dirt: a path of one point. Lies over all tags.
@@ -122,10 +155,11 @@ struct Scene {
   int height = 480;       ///< px, 1 .. kMaxSide_px
   detect::Camera camera;  ///< for tags placed in space; default_camera() where none is known
   Background background;
-  int quiet_zone_cells = 1;    ///< width of the white paper around each tag, in cells,
-                               ///< 0 .. kMaxQuietZone_cells
-  std::vector<SceneTag> tags;  ///< later ones lie on top of earlier ones
-  std::vector<Mark> marks{};   ///< on top of all tags
+  int quiet_zone_cells = 1;     ///< width of the white paper around each tag, in cells,
+                                ///< 0 .. kMaxQuietZone_cells
+  std::vector<SceneTag> tags;   ///< later ones lie on top of earlier ones
+  std::vector<Sheet> sheets{};  ///< in the order of their first_tag
+  std::vector<Mark> marks{};    ///< on top of all tags
   Effects effects;
   std::uint64_t seed = 1;  ///< of the noise and the background texture
 };
@@ -136,9 +170,9 @@ detect::Camera default_camera(int width, int height);
 
 /// Throws std::invalid_argument, naming the field, its value and the allowed range, when the scene
 /// cannot be drawn: a size, level, sigma or camera out of range, an id that the family lacks, a
-/// pose that is no rotation, a tag that faces away from the camera or lies behind it, corners that
-/// are not a convex quad in counter-clockwise order as seen, or a tag where the distortion folds
-/// back on itself.
+/// pose that is no rotation, a tag or sheet that faces away from the camera or lies behind it,
+/// corners that are not a convex quad in counter-clockwise order as seen, or a tag where the
+/// distortion folds back on itself.
 void check_scene(const Scene& scene);
 
 }  // namespace tagmint::scene

@@ -4,14 +4,14 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
-#include <map>
 #include <stdexcept>
 
+#include "scene/board_reader.h"
 #include "scene/json_reader.h"
 #include "scene/picture_reader.h"
-#include "scene/rotation.h"
-#include "tagmint/codec/builtin_families.h"
-#include "tagmint/codec/family_file.h"
+#include "scene/place_reader.h"
+#include "scene/scene_families.h"
+#include "tagmint/codec/errors.h"
 
 namespace tagmint::scene {
 
@@ -21,30 +21,6 @@ using detect::Corners;
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Reads each family once, however many tags name it.
-class Families {
- public:
-  explicit Families(fs::path folder) : folder_(std::move(folder)) {}
-
-  codec::SharedFamily get(const std::string& name) {
-    codec::SharedFamily& family = loaded_[name];
-    if (family) return family;
-    family = codec::find_family(name);
-    const fs::path file = folder_ / name;
-    std::error_code error;
-    if (!family && fs::exists(file, error)) {
-      family = std::make_shared<const codec::Family>(codec::read_family(file));
-    }
-    // Neither: load_family() knows how to say so.
-    if (!family) family = codec::load_family(name);
-    return family;
-  }
-
- private:
-  fs::path folder_;
-  std::map<std::string, codec::SharedFamily> loaded_;
-};
 
 detect::Camera read_camera(const JsonValue& value, int width, int height) {
   value.require_keys({"fx", "fy", "cx", "cy", "distortion"});
@@ -64,26 +40,7 @@ detect::Camera read_camera(const JsonValue& value, int width, int height) {
   return camera;
 }
 
-detect::Pose read_pose(const JsonValue& value) {
-  detect::Pose pose;
-  if (value.has("pose")) {
-    if (value.has("position_m") || value.has("rotation_deg")) {
-      value.fail("has a pose and a position or rotation", "give one of them");
-    }
-    const JsonValue given = value.at("pose");
-    given.require_keys({"R", "t"});
-    pose.R = given.at("R").numbers<9>();
-    pose.t = given.at("t").numbers<3>();
-    return pose;
-  }
-  pose.t = value.at("position_m").numbers<3>();
-  if (value.has("rotation_deg")) {
-    pose.R = rotation_from_angles(value.at("rotation_deg").numbers<3>());
-  }
-  return pose;
-}
-
-SceneTag read_tag(const JsonValue& value, Families& families) {
+SceneTag read_tag(const JsonValue& value, SceneFamilies& families) {
   value.require_keys({"family", "id", "edge_m", "pose", "position_m", "rotation_deg", "corners"});
   SceneTag tag;
   tag.family = families.get(value.at("family").text());
@@ -111,9 +68,28 @@ SceneTag read_tag(const JsonValue& value, Families& families) {
 }
 
 Scene read_root(const JsonValue& root, const fs::path& folder) {
-  root.require_keys({"width", "height", "camera", "background", "quiet_zone_cells", "tags", "marks",
-                     "black", "white", "shading", "shadows", "glare", "vignetting", "motion_blur",
-                     "blur_px", "gamma", "noise", "seed"});
+  root.require_keys({"width",
+                     "height",
+                     "camera",
+                     "background",
+                     "quiet_zone_cells",
+                     "boards",
+                     "tags",
+                     "marks",
+                     "black",
+                     "white",
+                     "shading",
+                     "shadows",
+                     "glare",
+                     "vignetting",
+                     "motion_blur",
+                     "defocus_px",
+                     "blur_px",
+                     "electrons_per_level",
+                     "gamma",
+                     "noise",
+                     "jpeg_quality",
+                     "seed"});
   Scene scene;
   scene.width = static_cast<int>(root.at("width").whole(1, kMaxSide_px));
   scene.height = static_cast<int>(root.at("height").whole(1, kMaxSide_px));
@@ -124,9 +100,15 @@ Scene read_root(const JsonValue& root, const fs::path& folder) {
     scene.quiet_zone_cells =
         static_cast<int>(root.at("quiet_zone_cells").whole(0, kMaxQuietZone_cells));
   }
-  Families families(folder);
-  for (const JsonValue& tag : root.at("tags").elements()) {
-    scene.tags.push_back(read_tag(tag, families));
+  SceneFamilies families(folder);
+  if (root.has("boards")) {
+    for (const JsonValue& board : root.at("boards").elements()) add_board(board, families, scene);
+  }
+  // A scene of boards needs no others.
+  if (root.has("tags") || !root.has("boards")) {
+    for (const JsonValue& tag : root.at("tags").elements()) {
+      scene.tags.push_back(read_tag(tag, families));
+    }
   }
   if (root.has("marks")) scene.marks = read_marks(root.at("marks"));
   scene.effects = read_effects(root);

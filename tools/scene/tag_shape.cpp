@@ -61,18 +61,15 @@ std::vector<Rectangle> runs(int width, double half_border, Wanted wanted) {
 
 }  // namespace
 
-TagShape tag_shape(const codec::Family& family, codec::TagId id, int quiet_zone_cells) {
-  const codec::Layout& layout = family.layout();
-  const PaddedCells cells(tag_cells(layout, family.codeword(id)), quiet_zone_cells);
+TagShape tag_shape(const codec::Layout& layout, codec::Codeword codeword, int quiet_zone_cells) {
+  const PaddedCells cells(tag_cells(layout, codeword), quiet_zone_cells);
   const int width = cells.width();
   const double half_border = layout.width_at_border() / 2.0;
   const auto tag = [&](int x, int y) { return cells.at(x, y) != Cell::None; };
   const auto paper = [&](int x, int y) { return cells.on_paper(x, y); };
-  const auto white = [&](int x, int y) {
-    return cells.on_paper(x, y) && cells.at(x, y) != Cell::Black;
-  };
+  const auto black = [&](int x, int y) { return cells.at(x, y) == Cell::Black; };
   return {runs(width, half_border, paper), runs(width, half_border, tag),
-          runs(width, half_border, white)};
+          runs(width, half_border, black)};
 }
 
 }  // namespace tagmint::scene

@@ -2,7 +2,8 @@
 
 #include <vector>
 
-#include "tagmint/codec/family.h"
+#include "tagmint/codec/codeword.h"
+#include "tagmint/codec/layout.h"
 #include "tagmint/detect/geometry.h"
 
 namespace tagmint::scene {
@@ -14,11 +15,11 @@ using Rectangle = std::vector<detect::Point>;
 struct TagShape {
   std::vector<Rectangle> paper;  ///< everything that is not background: the tag and its quiet zone
   std::vector<Rectangle> tag;    ///< the tag's own cells
-  std::vector<Rectangle> white;  ///< the white cells and the quiet zone
+  std::vector<Rectangle> black;  ///< the black cells
 };
 
-/// The shape of tag `id` with `quiet_zone_cells` (>= 0) of white paper around every cell that the
+/// The shape of a tag with `quiet_zone_cells` (>= 0) of white paper around every cell that the
 /// layout has; holes of the layout that are wider than that stay holes.
-TagShape tag_shape(const codec::Family& family, codec::TagId id, int quiet_zone_cells);
+TagShape tag_shape(const codec::Layout& layout, codec::Codeword codeword, int quiet_zone_cells);
 
 }  // namespace tagmint::scene

@@ -36,7 +36,9 @@ std::string tag_json(const SceneTag& tag, const TagTruth& truth) {
     fmt::format_to(std::back_inserter(json), R"(,"edge_m":{},"pose":{{"R":{},"t":{}}})",
                    posed->edge_m, list(posed->pose.R), list(posed->pose.t));
   }
-  fmt::format_to(std::back_inserter(json), ",\"visible\":{:.6f}}}", truth.visible);
+  if (tag.on_sheet) json += fmt::format(",\"board\":{}", tag.on_sheet->sheet);
+  fmt::format_to(std::back_inserter(json), R"(,"visible":{:.6f},"visible_px":{:.3f}}})",
+                 truth.visible, truth.visible_px);
   return json;
 }
 

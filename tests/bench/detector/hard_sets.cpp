@@ -38,7 +38,7 @@ void add_tilted_and_blurred(const PictureSize& size, std::vector<PictureSet>& se
 }
 
 Corners corners_of(const scene::SceneTag& tag, const Scene& scene) {
-  return scene::TagProjection(tag, scene.camera).corners();
+  return scene::TagProjection(tag.place, scene.camera).corners();
 }
 Point middle_of(const Corners& c) { return 0.25 * (c[0] + c[1] + c[2] + c[3]); }
 double side_of(const Corners& c) { return std::sqrt(std::abs(signed_area(c))); }
